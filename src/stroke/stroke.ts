@@ -1,0 +1,43 @@
+import type { Quat, Vec3 } from '../math/vec.ts';
+
+/** One report of the pen, on the stroke's plane. */
+export interface Sample {
+  /** mm along the plane's x axis */
+  readonly x: number;
+  /** mm along the plane's y axis */
+  readonly y: number;
+  /** 0–1; 0.5 where the pointer has none */
+  readonly pressure: number;
+  /** degrees, −90–90 */
+  readonly tiltX: number;
+  readonly tiltY: number;
+  /** ms since the first sample of the stroke */
+  readonly time: number;
+}
+
+/** A drawing plane. x and y are orthonormal; x × y points to the person who drew. */
+export interface Plane {
+  readonly origin: Vec3;
+  readonly x: Vec3;
+  readonly y: Vec3;
+}
+
+/** How the model was looked at. */
+export interface View {
+  /** the point that stays in the middle of the screen, mm */
+  readonly pivot: Vec3;
+  /** camera to world: the camera looks along −z, y is up */
+  readonly rotation: Quat;
+  /** visible height at the pivot, mm */
+  readonly height: number;
+  /** vertical opening in degrees; 0 = orthographic */
+  readonly fov: number;
+}
+
+/** What a person drew: the raw truth from which everything else is derived. */
+export interface Stroke {
+  readonly samples: readonly Sample[];
+  readonly plane: Plane;
+  readonly view: View;
+  readonly pointer: 'pen' | 'touch' | 'mouse';
+}
