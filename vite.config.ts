@@ -3,7 +3,11 @@ import { defineConfig } from 'vite';
 export default defineConfig({
   // Relative addresses, so that the built application runs from any folder.
   base: './',
-  server: { port: 5173, strictPort: false },
+  // Under test a change on disk must not reload the page in the middle of a stroke.
+  server: process.env.ROTUND_TEST ? { hmr: false, watch: null } : { port: 5173 },
   build: { target: 'es2022', chunkSizeWarningLimit: 1200 },
-  esbuild: false,
+  // Known at the start: found late, they would reload the page under a stroke.
+  optimizeDeps: {
+    include: ['three/webgpu', 'three/tsl', 'three-mesh-bvh', 'camera-controls', 'gl-matrix', 'lit'],
+  },
 });

@@ -1,4 +1,7 @@
+import type { Plane } from '../math/plane.ts';
 import type { Quat, Vec3 } from '../math/vec.ts';
+
+export type { Plane } from '../math/plane.ts';
 
 /** One report of the pen, on the stroke's plane. */
 export interface Sample {
@@ -13,13 +16,6 @@ export interface Sample {
   readonly tiltY: number;
   /** ms since the first sample of the stroke */
   readonly time: number;
-}
-
-/** A drawing plane. x and y are orthonormal; x × y points to the person who drew. */
-export interface Plane {
-  readonly origin: Vec3;
-  readonly x: Vec3;
-  readonly y: Vec3;
 }
 
 /** How the model was looked at. */
@@ -40,4 +36,6 @@ export interface Stroke {
   readonly plane: Plane;
   readonly view: View;
   readonly pointer: 'pen' | 'touch' | 'mouse';
+  /** lifted near its start, while the closing line was shown: meant as a loop */
+  readonly closed: boolean;
 }

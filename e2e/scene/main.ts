@@ -1,0 +1,123 @@
+/** The scene without the application: draws what a test asks for and hands back the pixels. */
+import {
+  createScene,
+  DEFAULT_LOOK,
+  FRONT_VIEW,
+  type Hit,
+  type Look,
+  type Scene,
+  type Style,
+} from '../../src/scene/index.ts';
+import type { View } from '../../src/stroke/stroke.ts';
+import { type Form, makeMesh } from './meshes.ts';
+
+export interface Thing {
+  readonly form: Form;
+  readonly colour?: string;
+  readonly preview?: boolean;
+}
+
+export interface Picture {
+  readonly things: readonly Thing[];
+  readonly look?: Partial<Look>;
+  readonly view?: Partial<View>;
+  /** CSS pixels */
+  readonly size?: readonly [width: number, height: number];
+  readonly pixelRatio?: number;
+  readonly backend?: 'auto' | 'webgl2';
+}
+
+export interface Timing {
+  /** ms a frame, until the device is done with it */
+  readonly median: number;
+  readonly least: number;
+  readonly backend: string;
+  readonly drawCalls: number;
+  readonly triangles: number;
+}
+
+declare global {
+  interface Window {
+    /** Data address of a PNG with one pixel a device pixel. */
+    drawPicture(picture: Picture): Promise<string>;
+    backendOf(wanted: 'auto' | 'webgl2'): Promise<string>;
+    pickIn(picture: Picture, x: number, y: number): Promise<Hit | null>;
+    /** Frame times of the pear at 800 × 600 CSS pixels. */
+    benchFrame(style: Style, frames: number, pixelRatio?: number): Promise<Timing>;
+  }
+}
+
+const scenes = new Map<string, Promise<{ scene: Scene; canvas: HTMLCanvasElement }>>();
+
+function open(backend: 'auto' | 'webgl2') {
+  let opened = scenes.get(backend);
+  if (!opened) {
+    const canvas = document.body.appendChild(document.createElement('canvas'));
+    opened = createScene(canvas, { backend }).then((scene) => ({ scene, canvas }));
+    scenes.set(backend, opened);
+  }
+  return opened;
+}
+
+async function setUp(picture: Picture) {
+  const { scene, canvas } = await open(picture.backend ?? 'auto');
+  const [width, height] = picture.size ?? [300, 300];
+  canvas.style.width = `${width}px`;
+  canvas.style.height = `${height}px`;
+  scene.resize(width, height, picture.pixelRatio ?? 1);
+  scene.sync(
+    picture.things.map(({ form, colour, preview }, i) => ({
+      id: String(i),
+      mesh: makeMesh(form),
+      colour: colour ?? '#d9cb4a',
+      preview: preview ?? false,
+    })),
+  );
+  scene.setLook({ ...DEFAULT_LOOK, ...picture.look });
+  scene.rig.setView({ ...FRONT_VIEW, ...picture.view }, false);
+  return { scene, canvas };
+}
+
+window.drawPicture = async (picture) => {
+  const { scene, canvas } = await setUp(picture);
+  const copy = document.createElement('canvas');
+  copy.width = canvas.width;
+  copy.height = canvas.height;
+  const context = copy.getContext('2d');
+  // In the task that drew it the canvas still holds its picture.
+  scene.render();
+  context?.drawImage(canvas, 0, 0);
+  return copy.toDataURL('image/png');
+};
+
+window.backendOf = async (wanted) => (await open(wanted)).scene.backend;
+
+window.pickIn = async (picture, x, y) => {
+  const { scene } = await setUp(picture);
+  return scene.pick(x, y);
+};
+
+window.benchFrame = async (style, frames, pixelRatio = 1) => {
+  const { scene } = await setUp({
+    things: [{ form: { kind: 'pear' } }, { form: { kind: 'stem' } }, { form: { kind: 'leaf' } }],
+    look: { style },
+    size: [800, 600],
+    pixelRatio,
+  });
+  await scene.compile();
+  const times: number[] = [];
+  for (let i = 0; i < frames; i++) {
+    scene.rig.orbit(3, 0);
+    const start = performance.now();
+    await scene.compile();
+    times.push(performance.now() - start);
+  }
+  times.sort((a, b) => a - b);
+  return {
+    median: times[times.length >> 1] ?? 0,
+    least: times[0] ?? 0,
+    backend: scene.backend,
+    drawCalls: scene.drawCalls,
+    triangles: scene.triangles,
+  };
+};

@@ -1,0 +1,43 @@
+/**
+ * Commands: everything a person can do to a document, as plain data. One file a command; the list below is
+ * the registry from which `apply`, scripts and tests read.
+ */
+import type { Document } from '../document.ts';
+import { addStroke } from './addStroke.ts';
+import { drop } from './drop.ts';
+import { keep } from './keep.ts';
+import { removeAll } from './removeAll.ts';
+import { removeLast } from './removeLast.ts';
+import { setBrush } from './setBrush.ts';
+import { setTubesOnly } from './setTubesOnly.ts';
+
+/** How a command is carried out and named. `Data` is the command without its type. */
+export interface CommandKind<Type extends string, Data> {
+  readonly type: Type;
+  /** Returns the same object when there is nothing to do: no undo step is made then. */
+  apply(document: Document, command: Data): Document;
+  /** What was done, in the words of the status line; `document` is the one before. */
+  describe(document: Document, command: Data): string;
+}
+
+const kinds = { addStroke, keep, drop, setBrush, setTubesOnly, removeLast, removeAll } as const;
+
+type Kinds = typeof kinds;
+type Data<K> = K extends CommandKind<string, infer D> ? D : never;
+/** A command is `{ type, …data }`. */
+export type Command = { [K in keyof Kinds]: { readonly type: K } & Data<Kinds[K]> }[keyof Kinds];
+
+export const COMMAND_TYPES = Object.keys(kinds) as readonly Command['type'][];
+
+function kindOf(command: Command): CommandKind<string, Command> {
+  return kinds[command.type] as unknown as CommandKind<string, Command>;
+}
+
+/** The document after the command; the argument is never changed. */
+export function apply(document: Document, command: Command): Document {
+  return kindOf(command).apply(document, command);
+}
+
+export function describe(document: Document, command: Command): string {
+  return kindOf(command).describe(document, command);
+}

@@ -1,0 +1,231 @@
+/** The floating controls around the drawing, as templates: what they show comes from the session, what they do goes to `Actions`. */
+import { html, nothing, type TemplateResult } from 'lit';
+import { draftSolids } from '../document/build.ts';
+import { RADIUS_RANGE, readingOf } from '../document/document.ts';
+import { redoable, undoable } from '../document/history.ts';
+import { ball, type IconName, icon, wordmark } from './icons.ts';
+import type { Place } from './place.ts';
+import type { Session } from './session.ts';
+import { type ShownStyle, STYLE_NAMES, SURFACE, WORDS } from './words.ts';
+
+export type PanelName = 'settings' | 'menu' | 'palette' | 'help';
+
+/** What the controls ask of the element. */
+export interface Actions {
+  readonly open: PanelName | null;
+  readonly fingersDraw: boolean;
+  /** null while there is no chip */
+  readonly chipAt: Place | null;
+  toggle(panel: PanelName): void;
+  setFingersDraw(on: boolean): void;
+  setRadius(mm: number, done: boolean): void;
+  dismiss(): void;
+}
+
+interface ButtonOptions {
+  readonly key?: string;
+  readonly off?: boolean;
+  readonly pressed?: boolean;
+  readonly expanded?: boolean;
+  readonly class?: string;
+  readonly body?: TemplateResult;
+  readonly shortcut?: string;
+}
+
+/** An icon with a name and, after a moment of hovering, a tooltip with the key. */
+export function iconButton(
+  image: IconName | null,
+  name: string,
+  run: () => void,
+  options: ButtonOptions = {},
+) {
+  const { key, off, pressed, expanded } = options;
+  return html`<button
+    class="b ${options.class ?? ''}"
+    aria-label=${name}
+    aria-disabled=${off ? 'true' : nothing}
+    aria-pressed=${pressed === undefined ? nothing : String(pressed)}
+    aria-expanded=${expanded === undefined ? nothing : String(expanded)}
+    aria-keyshortcuts=${options.shortcut ?? key ?? nothing}
+    @click=${run}
+  >
+    ${options.body ?? (image ? icon(image) : nothing)}<span class="name" aria-hidden="true">${name}</span>
+    ${key ? html`<kbd data-key=${key}></kbd>` : nothing}
+    <span class="tip" aria-hidden="true">${name}${key ? html`<kbd data-key=${key}></kbd>` : nothing}</span>
+  </button>`;
+}
+
+export function topBar(session: Session, actions: Actions): TemplateResult {
+  const { history } = session;
+  return html`<header class="top chrome">
+    <div class="tray card name">${wordmark}</div>
+    <div class="tray card styles" role="radiogroup" aria-label="Style" @keydown=${roving}>
+      ${styleRadios(session, () => actions.toggle('settings'))}
+      <span class="separator"></span>
+      ${iconButton('settings', 'Settings', () => actions.toggle('settings'), { expanded: actions.open === 'settings' })}
+    </div>
+    <div class="tray card right">
+      ${iconButton('undo', 'Undo', () => session.undo(), { key: 'U', off: !undoable(history), shortcut: 'U Control+Z' })}
+      ${iconButton('redo', 'Redo', () => session.redo(), { key: 'Shift Z', off: !redoable(history), shortcut: 'Shift+Z Control+Shift+Z' })}
+      <span class="separator"></span>
+      ${iconButton('more', 'More', () => actions.toggle('menu'), { expanded: actions.open === 'menu' })}
+    </div>
+  </header>`;
+}
+
+/** A lit ball a style; `again` answers a tap on the chosen one. */
+export function styleRadios(session: Session, again: () => void): TemplateResult[] {
+  const { look, document } = session;
+  return (Object.entries(STYLE_NAMES) as [ShownStyle, string][]).map(([style, name]) => {
+    const chosen = look.style === style;
+    return html`<button
+      class="style"
+      role="radio"
+      aria-label=${name}
+      aria-checked=${chosen}
+      tabindex=${chosen ? 0 : -1}
+      @click=${() => (chosen ? again() : session.setStyle(style, name))}
+    >
+      ${ball(style, document.brush.colour)}<span>${name}</span>
+    </button>`;
+  });
+}
+
+/** Arrow keys move within a group of radios, as they do in a native one. */
+export function roving(event: KeyboardEvent): void {
+  const step = { ArrowRight: 1, ArrowDown: 1, ArrowLeft: -1, ArrowUp: -1 }[event.key];
+  if (!step) return;
+  const radios = [...(event.currentTarget as HTMLElement).querySelectorAll<HTMLElement>('[role=radio]')];
+  const from = radios.indexOf(event.target as HTMLElement);
+  const next = radios[(from + step + radios.length) % radios.length];
+  if (from < 0 || !next) return;
+  event.preventDefault();
+  event.stopPropagation();
+  next.focus();
+  next.click();
+}
+
+/** Tools and what belongs to them; named until the first part is kept. */
+export function rail(session: Session, actions: Actions): TemplateResult {
+  const { brush, parts } = session.document;
+  const named = parts.length === 0 && !session.document.draft;
+  const { min, max } = RADIUS_RANGE;
+  const position = radiusToSlider(brush.radius);
+  const moved = (done: boolean) => (event: Event) =>
+    actions.setRadius(sliderToRadius(Number((event.target as HTMLInputElement).value)), done);
+  return html`<div class="rail card chrome ${named ? 'named' : ''}" role="toolbar" aria-label="Tools" aria-orientation="vertical">
+    ${iconButton('draw', 'Draw', () => actions.dismiss(), { key: 'D', pressed: true })}
+    <hr />
+    ${iconButton(null, 'Colour', () => actions.toggle('palette'), {
+      expanded: actions.open === 'palette',
+      body: html`<span class="swatch">${ball('toon', brush.colour)}</span>`,
+    })}
+    ${
+      named
+        ? nothing
+        : html`<div class="upright">
+              <input
+                type="range" min="0" max="100" step="1" aria-label="Tube radius"
+                aria-valuetext="${brush.radius} mm, from ${min} to ${max}" title="Tube radius (Q, Shift Q)"
+                style="--fill: ${position}%" .value=${String(position)} @input=${moved(false)} @change=${moved(true)}
+              />
+            </div>
+            <div class="caption">${brush.radius} mm</div>`
+    }
+    ${navigator.maxTouchPoints > 0 ? fingerSwitch(actions) : nothing}
+  </div>`;
+}
+
+/** Only where there are fingers. */
+const fingerSwitch = (actions: Actions) =>
+  html`<hr />${iconButton('finger', 'Finger draws', () => actions.setFingersDraw(!actions.fingersDraw), {
+    pressed: actions.fingersDraw,
+    class: 'toggle',
+  })}`;
+
+/** The slider is logarithmic: thin tubes need fine steps. */
+const SPAN = Math.log(RADIUS_RANGE.max / RADIUS_RANGE.min);
+const radiusToSlider = (mm: number) => Math.round((100 * Math.log(mm / RADIUS_RANGE.min)) / SPAN);
+const sliderToRadius = (value: number) => roundRadius(RADIUS_RANGE.min * Math.exp((SPAN * value) / 100));
+
+/** Half millimetres below ten, whole ones above, within the range. */
+export function roundRadius(mm: number): number {
+  const step = mm < 10 ? 0.5 : 1;
+  return Math.min(RADIUS_RANGE.max, Math.max(RADIUS_RANGE.min, Math.round(mm / step) * step));
+}
+
+/** What the strokes are now, and what one more would make of them. */
+export function meter(session: Session): TemplateResult | typeof nothing {
+  const { draft, tubesOnly } = session.document;
+  if (!draft) return nothing;
+  const kind = readingOf(session.document);
+  const two = draft.strokes.length > 1;
+  const only = (on: boolean) => () => session.commit([{ type: 'setTubesOnly', on }]);
+  const done = kind === 'rotational';
+  return html`<div class="meter card chrome" role="group" aria-label="The number of strokes decides the surface">
+    <button class=${done ? 'done' : ''} aria-current=${done ? nothing : 'step'} @click=${only(true)}
+      title=${done ? 'Back to two tubes; no stroke is lost' : 'Every stroke a tube'}>
+      ${icon('tube')}${done ? html`<span class="tick">${icon('check')}</span>` : nothing}1 Tube${tubesOnly ? html`<span class="hidden">, every stroke</span>` : nothing}
+    </button>
+    <button aria-current=${done ? 'step' : nothing} @click=${only(false)}
+      title=${two ? 'Between the two strokes' : 'Draw the other side to make it round'}>
+      ${icon('rotational')}2 Rotational
+    </button>
+  </div>`;
+}
+
+/** Keep or drop what is shown. */
+export function chip(session: Session, actions: Actions): TemplateResult | typeof nothing {
+  const { draft, brush } = session.document;
+  const kind = readingOf(session.document);
+  if (!draft || !kind || session.state.wet || !actions.chipAt) return nothing;
+  const { x, y, narrow } = actions.chipAt;
+  const count = draft.strokes.length;
+  const built = draftSolids(session.document).length > 0;
+  // The chip goes, and the focus must not go with it.
+  const done = (run: () => void) => () => {
+    run();
+    actions.dismiss();
+  };
+  const fact = kind === 'tube' && count === 1 ? `${brush.radius} mm radius` : `${count} strokes`;
+  return html`<div class="chip card chrome ${narrow ? 'narrow' : ''}" role="group" aria-label=${WORDS.preview(kind)} style="left:${x}px;top:${y}px">
+    ${iconButton(null, 'Colour', () => actions.toggle('palette'), {
+      expanded: actions.open === 'palette',
+      body: html`<span class="swatch">${ball('toon', brush.colour)}</span>`,
+    })}
+    <div class="what"><b>${SURFACE[kind].name}</b><small>${built ? fact : 'too short'}</small></div>
+    <button class="b quiet text" aria-label="Drop" aria-keyshortcuts="Escape" @click=${done(() => session.drop())}>${icon('x', 20)}<span class="word">Drop</span></button>
+    <button class="b primary text" aria-keyshortcuts="N Enter" @click=${done(() => session.keep())}>${icon('check', 20)}Keep</button>
+  </div>`;
+}
+
+/** Line 1: the last event, spoken politely. Line 2: mesh, time, back end. */
+export function status(session: Session): TemplateResult {
+  const backend = session.scene?.backend;
+  const slow = backend === 'WebGL2' ? 'WebGL2, slower' : backend;
+  const time = session.buildTime ? `${Math.max(1, Math.round(session.buildTime))} ms` : '';
+  const facts = [session.detail, session.detail && time, slow ?? WORDS.loading].filter(Boolean).join(' · ');
+  return html`<div class="status chrome">
+    <span role="status" aria-live="polite"><b>${session.said}</b></span>
+    <span><i class="dot ${backend === 'WebGPU' ? '' : 'slow'}"></i>${facts}</span>
+  </div>`;
+}
+
+export function notice(session: Session): TemplateResult | typeof nothing {
+  const { notice: shown } = session;
+  if (!shown) return nothing;
+  const run = (action: () => void) => () => {
+    session.notice = null;
+    action();
+    session.update();
+  };
+  return html`<div class="notice card" role="alert">
+    ${icon('warn')}<span>${shown.text}</span>
+    ${shown.actions.map(({ label, run: action }) => html`<button class="b quiet text" @click=${run(action)}>${label}</button>`)}
+    ${iconButton(
+      'x',
+      'Close',
+      run(() => {}),
+    )}
+  </div>`;
+}

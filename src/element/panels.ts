@@ -1,0 +1,172 @@
+/** The panels that open on request: settings, colours, menu, keys. */
+import { html, nothing, type TemplateResult } from 'lit';
+import type { Brush } from '../document/document.ts';
+import { type Background, PAPER_COLOUR } from '../scene/look.ts';
+import { type Actions, iconButton, roving, styleRadios } from './controls.ts';
+import { ball, type IconName, icon } from './icons.ts';
+import type { Session } from './session.ts';
+import { KEYS } from './words.ts';
+
+/** An illustrator's box: warm to cold, then earth, flesh and greys. */
+const COLOURS: readonly (readonly [name: string, colour: string])[] = [
+  ['Pear', '#d9cb4a'],
+  ['Orange', '#e2893a'],
+  ['Red', '#c8402f'],
+  ['Rose', '#e08c98'],
+  ['Violet', '#8a64ac'],
+  ['Blue', '#4a7ab8'],
+  ['Teal', '#3f9690'],
+  ['Leaf', '#5f9e46'],
+  ['Fir', '#3b6b3f'],
+  ['Bark', '#7d5238'],
+  ['Wood', '#b98a5a'],
+  ['Sand', '#dcc397'],
+  ['Skin', '#e8bd9e'],
+  ['Sky', '#9cc4de'],
+  ['Cream', '#f3ead6'],
+  ['Stone', '#a5a29a'],
+  ['Slate', '#5a6270'],
+  ['Coal', '#3a3a3e'],
+];
+
+const BACKGROUNDS: readonly (readonly [id: Background, name: string])[] = [
+  ['paper', 'Paper'],
+  ['white', 'White'],
+  ['blue', 'Dark blue'],
+  ['black', 'Black'],
+];
+
+const FILTERS: readonly (readonly [id: Brush['filter'], name: string, title: string])[] = [
+  ['least-squares', 'Smooth', 'Least squares: calms the hand the most'],
+  ['chaikin', 'Chaikin', 'The thesis’ reverse Chaikin subdivision'],
+  ['cubic', 'Cubic', 'The thesis’ reverse cubic subdivision'],
+];
+
+export function panel(session: Session, actions: Actions): TemplateResult | typeof nothing {
+  if (actions.open === 'settings') return settings(session, actions);
+  if (actions.open === 'palette') return palette(session, actions);
+  if (actions.open === 'menu') return menu(session, actions);
+  if (actions.open === 'help') return help(actions);
+  return nothing;
+}
+
+function frame(title: string, extra: string, actions: Actions, body: TemplateResult): TemplateResult {
+  const close = () => actions.dismiss();
+  return html`<div class="panel card chrome ${extra}" role="dialog" aria-label=${title}>
+    <header><h2>${title}</h2>${iconButton('x', 'Close', close)}</header>
+    ${body}
+  </div>`;
+}
+
+const toggle = (name: string, on: boolean, set: (on: boolean) => void) =>
+  html`<button class="row" role="switch" aria-checked=${on} @click=${() => set(!on)}>${name}<span class="switch"></span></button>`;
+
+function settings(session: Session, actions: Actions): TemplateResult {
+  const { look, document } = session;
+  const { brush } = document;
+  const perspective = session.view.fov > 0;
+  const dark = BACKGROUNDS.find(([id]) => id === look.background);
+  const body = html`
+    <div class="presets" role="radiogroup" aria-label="Style" @keydown=${roving}>
+      ${styleRadios(session, () => {})}
+    </div>
+    <section>
+      ${toggle('Outline', look.outline, (outline) => session.setLook({ outline }))}
+      ${toggle('Perspective', perspective, (on) => {
+        session.scene?.rig.setPerspective(on);
+        session.update();
+      })}
+      ${toggle('Grid', look.grid, (grid) => session.setLook({ grid }))}
+      ${toggle('Wireframe', look.wireframe, (wireframe) => session.setLook({ wireframe }))}
+    </section>
+    <section>
+      <h3>Background <output>${dark?.[1]}</output></h3>
+      <div class="dots" role="radiogroup" aria-label="Background" @keydown=${roving}>
+        ${BACKGROUNDS.map(
+          ([id, name]) =>
+            html`<button role="radio" aria-label=${name} title=${name} aria-checked=${look.background === id} tabindex=${look.background === id ? 0 : -1}
+              @click=${() => session.setBackground(id)}><i style="background:${PAPER_COLOUR[id]}"></i></button>`,
+        )}
+      </div>
+      ${toggle('Grain', look.grain, (grain) => session.setLook({ grain }))}
+    </section>
+    <section>
+      <h3>Stroke <output>${brush.levels === 0 ? 'as drawn' : `smoothing ${brush.levels}`}</output></h3>
+      <div class="segment" role="radiogroup" aria-label="Stroke filter" @keydown=${roving}>
+        ${FILTERS.map(
+          ([id, name, title]) =>
+            html`<button role="radio" title=${title} aria-checked=${brush.filter === id} tabindex=${brush.filter === id ? 0 : -1} @click=${() => session.setBrush({ filter: id })}>${name}</button>`,
+        )}
+      </div>
+      <div class="slide">
+        <input type="range" min="0" max="6" step="1" aria-label="Smoothing" .value=${String(brush.levels)} style="--fill:${(brush.levels / 6) * 100}%"
+          @change=${(event: Event) => session.setBrush({ levels: Number((event.target as HTMLInputElement).value) })} />
+      </div>
+      ${toggle('Pressure makes tubes thicker', brush.pressure, (pressure) => session.setBrush({ pressure }))}
+      ${toggle('Close open ends', brush.caps, (caps) => session.setBrush({ caps }))}
+    </section>`;
+  return frame('Settings', '', actions, body);
+}
+
+function palette(session: Session, actions: Actions): TemplateResult {
+  const { colour } = session.document.brush;
+  const set = (value: string) => session.setBrush({ colour: value });
+  const known = COLOURS.some(([, value]) => value === colour);
+  const body = html`<section>
+    <div class="spheres" role="radiogroup" aria-label="Colour of this and the next form" @keydown=${roving}>
+      ${COLOURS.map(
+        ([name, value], i) =>
+          html`<button role="radio" aria-label=${name} title=${name} aria-checked=${value === colour} tabindex=${value === colour || (!known && i === 0) ? 0 : -1}
+            @click=${() => set(value)}>${ball('toon', value)}</button>`,
+      )}
+    </div>
+    <label class="row">Own colour
+      <input type="color" .value=${colour} aria-label="Own colour" @change=${(event: Event) => set((event.target as HTMLInputElement).value)} />
+    </label>
+  </section>`;
+  return frame('Colour', 'palette', actions, body);
+}
+
+function menu(session: Session, actions: Actions): TemplateResult {
+  const { document } = session;
+  const entry = (image: IconName, name: string, key: string, run: () => void) => {
+    const choose = () => {
+      actions.dismiss();
+      run();
+    };
+    return html`<button class="row" @click=${choose}>${icon(image, 20)}<span class="grow">${name}</span><kbd>${key}</kbd></button>`;
+  };
+  const body = html`<section>
+      ${entry('focus', 'Show everything', 'Home', () => session.showAll())}
+      ${entry('home', 'Reset the view', '0', () => session.resetView())}
+      ${entry('full', 'Full screen', 'F', () => session.fullScreen())}
+      ${entry('help', 'Keys and gestures', '?', () => actions.toggle('help'))}
+    </section>
+    ${
+      document.parts.length || document.draft
+        ? html`<section>
+            ${document.parts.length ? entry('trash', 'Delete the last part', 'C', () => session.commit([{ type: 'removeLast' }])) : nothing}
+            ${entry('trash', 'Delete everything', 'E', () => session.commit([{ type: 'removeAll' }]))}
+          </section>`
+        : nothing
+    }`;
+  return frame('More', 'menu', actions, body);
+}
+
+const GESTURES: readonly (readonly [who: string, does: string])[] = [
+  ['Pen', 'draws; its side button turns the view'],
+  ['One finger', 'draws, or turns the view once a pen was seen'],
+  ['Two fingers', 'move, zoom and turn; a tap undoes'],
+  ['Three fingers', 'turn the form; a tap redoes'],
+  ['Mouse', 'left draws, right turns, Ctrl right moves, middle rolls, wheel zooms'],
+];
+
+function help(actions: Actions): TemplateResult {
+  const body = html`<section>
+      <dl>${GESTURES.map(([who, does]) => html`<dt>${who}</dt><dd>${does}</dd>`)}</dl>
+    </section>
+    <section>
+      <dl>${KEYS.map(({ keys, does }) => html`<dt><kbd>${keys}</kbd></dt><dd>${does}</dd>`)}</dl>
+    </section>`;
+  return frame('Keys and gestures', '', actions, body);
+}

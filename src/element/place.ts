@@ -1,0 +1,71 @@
+/** Where the chip goes: 24 px under the form; no room there, above it; else beside it. Never outside the picture. */
+import type { Mesh } from '../mesh/mesh.ts';
+import { project } from '../stroke/plane.ts';
+import type { View } from '../stroke/stroke.ts';
+
+export interface Size {
+  readonly width: number;
+  readonly height: number;
+}
+
+export interface Rect {
+  readonly left: number;
+  readonly top: number;
+  readonly right: number;
+  readonly bottom: number;
+}
+
+export interface Place {
+  /** middle of the chip's upper edge, CSS pixels */
+  readonly x: number;
+  readonly y: number;
+  /** icons only, to fit beside the form */
+  readonly narrow: boolean;
+}
+
+/** px: about what the chip needs, and what lies at the edges: tool rail, top row, meter */
+const CHIP = { width: 352, narrow: 190, height: 52, gap: 24, side: 84, top: 76, bottom: 92 } as const;
+
+/** The box of meshes on the screen, CSS pixels; null when nothing is in front of the camera. */
+export function screenBox(meshes: readonly Mesh[], view: View, size: Size): Rect | null {
+  let box: Rect | null = null;
+  for (const { positions } of meshes) {
+    // Every seventh vertex is near enough for placing a card, and a drag stays cheap.
+    for (let i = 0; i + 2 < positions.length; i += 21) {
+      const p = project(view, size, [positions[i]!, positions[i + 1]!, positions[i + 2]!]);
+      if (p) box = grown(box, p[0], p[1]);
+    }
+  }
+  return box;
+}
+
+function grown(box: Rect | null, x: number, y: number): Rect {
+  if (!box) return { left: x, right: x, top: y, bottom: y };
+  return {
+    left: Math.min(box.left, x),
+    right: Math.max(box.right, x),
+    top: Math.min(box.top, y),
+    bottom: Math.max(box.bottom, y),
+  };
+}
+
+export function chipPlace(box: Rect, size: Size): Place {
+  const { height, side, top, bottom, gap } = CHIP;
+  const middle = clamp((box.left + box.right) / 2, side + CHIP.width / 2, size.width - 16 - CHIP.width / 2);
+  const lowest = size.height - bottom - height;
+  if (box.bottom + gap <= lowest) return { x: middle, y: Math.max(top, box.bottom + gap), narrow: false };
+  if (box.top - gap - height >= top) return { x: middle, y: box.top - gap - height, narrow: false };
+  const y = clamp((box.top + box.bottom) / 2, top, lowest);
+  for (const narrow of [false, true]) {
+    const half = (narrow ? CHIP.narrow : CHIP.width) / 2;
+    const right = box.right + gap + half;
+    if (right + half <= size.width - 16) return { x: right, y, narrow };
+    const left = box.left - gap - half;
+    if (left - half >= side) return { x: left, y, narrow };
+  }
+  // The form fills the picture: over its lower end, where the meter is anyway.
+  return { x: middle, y: lowest, narrow: false };
+}
+
+const clamp = (value: number, low: number, high: number) =>
+  Math.max(low, Math.min(Math.max(low, high), value));

@@ -1,0 +1,370 @@
+/**
+ * `<rotund-sketch>`: the application as one custom element. It draws the controls, routes the pointer and the keys
+ * to the session, and fetches the scene (three.js) only when it is on a page: strokes can be drawn before it is there.
+ */
+import { html, LitElement, nothing, type PropertyValues } from 'lit';
+import { draftSolids } from '../document/build.ts';
+import type { Document } from '../document/document.ts';
+import { isDark, lineColour, PAPER_COLOUR } from '../scene/look.ts';
+import type { Pen } from '../tool/tool.ts';
+import {
+  type Actions,
+  chip,
+  meter,
+  notice,
+  type PanelName,
+  rail,
+  roundRadius,
+  status,
+  topBar,
+} from './controls.ts';
+import { hint } from './hint.ts';
+import { press } from './keys.ts';
+import { layout } from './layout.ts';
+import { panel } from './panels.ts';
+import { chipPlace, type Place, screenBox } from './place.ts';
+import { PointerRouter, type PointerTarget } from './pointer.ts';
+import { Session } from './session.ts';
+import { tokens } from './tokens.ts';
+import { type BallActions, viewBall } from './viewBall.ts';
+import { drawInk } from './wetInk.ts';
+import { WORDS } from './words.ts';
+
+type Theme = 'light' | 'dark' | 'contrast';
+
+/** What the program draws on the paper is blue pencil, whatever the theme of the controls. */
+const PENCIL = { onLight: '#2b59c3', onDark: '#93b4ff' } as const;
+
+/** px: cards this near to the pen step back */
+const NEAR = 48;
+
+export class RotundSketch extends LitElement implements Actions {
+  static override styles = [tokens, layout];
+  static override properties = {
+    theme: { type: String, reflect: true },
+    backend: { type: String },
+    open: { state: true },
+    fingersDraw: { state: true },
+  };
+
+  /** light, dark or contrast; without it the system's setting */
+  declare theme: Theme | null;
+  /** `webgl2` never asks for WebGPU */
+  declare backend: 'auto' | 'webgl2';
+  declare open: PanelName | null;
+  declare fingersDraw: boolean;
+
+  readonly session = new Session(
+    () => this.requestUpdate(),
+    () => this.#drawn(),
+  );
+  #router: PointerRouter | null = null;
+  #sizes: ResizeObserver | null = null;
+  #predicted: readonly Pen[] = [];
+  #penSeen = false;
+  #media: AbortController | null = null;
+  #viewKey = '';
+
+  constructor() {
+    super();
+    this.theme = null;
+    this.backend = 'auto';
+    this.open = null;
+    this.fingersDraw = true;
+  }
+
+  /** The drawing: plain immutable data. */
+  get document(): Document {
+    return this.session.document;
+  }
+
+  // ── life ────────────────────────────────────────────────────────────────────────────────────────────
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    this.#media = new AbortController();
+    const { signal } = this.#media;
+    for (const query of [
+      '(prefers-color-scheme: dark)',
+      '(prefers-contrast: more)',
+      '(prefers-reduced-motion: reduce)',
+    ])
+      matchMedia(query).addEventListener('change', () => this.#adapt(), { signal });
+    this.addEventListener('keydown', (event) => this.#key(event), { signal });
+    if (this.hasUpdated) void this.#start();
+  }
+
+  protected override firstUpdated(): void {
+    void this.#start();
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    this.#media?.abort();
+    this.#router?.dispose();
+    this.#sizes?.disconnect();
+    this.session.detach();
+  }
+
+  async #start(): Promise<void> {
+    const stage = this.#find<HTMLElement>('.stage');
+    this.#router = new PointerRouter(stage, this.#pointerTarget());
+    this.#sizes = new ResizeObserver(() => this.#resize());
+    this.#sizes.observe(stage);
+    this.#adapt();
+    this.#resize();
+    try {
+      const { createScene } = await import('../scene/index.ts');
+      if (!this.isConnected) return;
+      const scene = await createScene(this.#find<HTMLCanvasElement>('.picture'), { backend: this.backend });
+      if (!this.isConnected) return scene.dispose();
+      this.session.attach(scene);
+      this.dataset.backend = scene.backend;
+      if (scene.backend === 'WebGL2') this.session.said = WORDS.webgl2;
+      void scene.lost.then(() => this.#lost());
+      this.#adapt();
+      this.#resize();
+      this.dispatchEvent(new Event('ready'));
+    } catch (error) {
+      console.error(error);
+      this.session.notice = { text: WORDS.noPicture, actions: [] };
+      this.dataset.backend = 'none';
+      this.requestUpdate();
+    }
+  }
+
+  /** The strokes are the truth and none of them is on the device: a new scene shows them again. */
+  async #lost(): Promise<void> {
+    if (!this.isConnected) return;
+    this.session.notice = { text: WORDS.lost, actions: [] };
+    const view = this.session.view;
+    this.session.detach();
+    this.#router?.dispose();
+    this.#sizes?.disconnect();
+    const old = this.#find<HTMLCanvasElement>('.picture');
+    // A canvas whose context was lost with its device gives no other one.
+    const fresh = old.cloneNode() as HTMLCanvasElement;
+    old.replaceWith(fresh);
+    await this.#start();
+    this.session.scene?.rig.setView(view, false);
+    this.session.notice = null;
+    this.session.update();
+  }
+
+  #find<T extends Element>(selector: string): T {
+    const found = this.renderRoot.querySelector<T>(selector);
+    if (!found) throw new Error(`rotund-sketch: its own ${selector} is missing`);
+    return found;
+  }
+
+  #adapt(): void {
+    const matches = (query: string) => matchMedia(query).matches;
+    const system: Theme = matches('(prefers-contrast: more)')
+      ? 'contrast'
+      : matches('(prefers-color-scheme: dark)')
+        ? 'dark'
+        : 'light';
+    const theme = this.theme ?? system;
+    this.dataset.theme = theme;
+    const { session } = this;
+    if (session.scene) session.scene.rig.reducedMotion = matches('(prefers-reduced-motion: reduce)');
+    const background = { light: 'paper', dark: 'blue', contrast: 'white' } as const;
+    if (!session.choseBackground)
+      session.look = { ...session.look, background: background[theme], grain: theme !== 'contrast' };
+    session.scene?.setLook(session.look);
+    session.update();
+  }
+
+  #resize(): void {
+    const { clientWidth: width, clientHeight: height } = this;
+    if (width === 0 || height === 0) return;
+    const ink = this.#find<HTMLCanvasElement>('.ink');
+    ink.width = Math.round(width * devicePixelRatio);
+    ink.height = Math.round(height * devicePixelRatio);
+    this.session.size = { width, height };
+    this.session.scene?.resize(width, height, devicePixelRatio);
+    this.session.update();
+  }
+
+  // ── drawing ─────────────────────────────────────────────────────────────────────────────────────────
+
+  protected override render() {
+    const { session } = this;
+    const empty = session.document.parts.length === 0 && !session.document.draft && !session.state.wet;
+    return html`<div class="app">
+      <div class="stage" role="application" tabindex="0" aria-label=${this.#label()} aria-describedby="keys">
+        <canvas class="picture"></canvas>
+        <canvas class="ink"></canvas>
+      </div>
+      <span id="keys" class="hidden">Press ? for keys and gestures.</span>
+      ${empty ? hint() : nothing}
+      ${topBar(session, this)} ${rail(session, this)} ${meter(session)} ${chip(session, this)} ${status(session)}
+      ${viewBall(session.view, this.#ballActions())} ${notice(session)} ${panel(session, this)}
+    </div>`;
+  }
+
+  #label(): string {
+    const { parts, draft } = this.document;
+    const count = `${parts.length} ${parts.length === 1 ? 'part' : 'parts'}`;
+    const unfinished = draft ? `, unfinished form of ${draft.strokes.length} strokes` : '';
+    return `Drawing. ${count}${unfinished}`;
+  }
+
+  protected override updated(changed: PropertyValues): void {
+    if (changed.has('theme')) this.#adapt();
+  }
+
+  /** After each frame: the ink over it, and what hangs on the camera. */
+  #drawn(): void {
+    this.#drawInk();
+    const { view } = this.session;
+    const key = JSON.stringify(view);
+    if (key === this.#viewKey) return;
+    this.#viewKey = key;
+    this.requestUpdate();
+  }
+
+  #drawInk(): void {
+    const { background } = this.session.look;
+    drawInk(
+      this.#find<HTMLCanvasElement>('.ink'),
+      this.session,
+      {
+        ink: lineColour(background),
+        pencil: isDark(background) ? PENCIL.onDark : PENCIL.onLight,
+        paper: PAPER_COLOUR[background],
+        font: getComputedStyle(this).fontFamily,
+      },
+      this.#predicted,
+    );
+  }
+
+  get chipAt(): Place | null {
+    const { document, view, size } = this.session;
+    if (!document.draft) return null;
+    const meshes = draftSolids(document).map(({ mesh }) => mesh);
+    const middle = { left: size.width / 2, right: size.width / 2, top: 80, bottom: 80 };
+    return chipPlace(screenBox(meshes, view, size) ?? middle, size);
+  }
+
+  // ── hands ───────────────────────────────────────────────────────────────────────────────────────────
+
+  #pointerTarget(): PointerTarget {
+    const { session } = this;
+    const ended = () => {
+      this.#predicted = [];
+      this.#stepBack(null);
+    };
+    return {
+      down: (pen) => {
+        if (this.open && this.open !== 'settings') this.open = null;
+        session.down(pen);
+        this.#drawInk();
+      },
+      move: (pens, predicted) => {
+        this.#predicted = predicted;
+        session.move(pens);
+        // At once, not with the frame: ink waits for nothing.
+        this.#drawInk();
+        this.#stepBack(pens.at(-1) ?? null);
+      },
+      up: () => {
+        ended();
+        session.up();
+      },
+      cancel: () => {
+        ended();
+        session.cancel();
+      },
+      orbit: (dx, dy) => session.orbit(dx, dy),
+      pan: (dx, dy) => session.pan(dx, dy),
+      roll: (angle) => session.roll(angle),
+      zoom: (factor, x, y) => session.zoom(factor, x, y),
+      focus: () => session.showAll(),
+      undo: () => session.undo(),
+      redo: () => session.redo(),
+      penSeen: () => this.#seePen(),
+      fingersDraw: () => this.fingersDraw,
+    };
+  }
+
+  #seePen(): void {
+    if (this.#penSeen) return;
+    this.#penSeen = true;
+    const touch = navigator.maxTouchPoints > 0;
+    this.fingersDraw = false;
+    if (!touch) return;
+    this.session.notice = {
+      text: WORDS.penFound,
+      actions: [{ label: WORDS.letFingersDraw, run: () => this.setFingersDraw(true) }],
+    };
+  }
+
+  /** While the pen is down cards near it fade and let it through. */
+  #stepBack(pen: Pen | null): void {
+    const origin = this.getBoundingClientRect();
+    for (const card of this.renderRoot.querySelectorAll('.chrome')) {
+      const box = card.getBoundingClientRect();
+      const dx = pen
+        ? Math.max(box.left - origin.left - pen.x, pen.x - (box.right - origin.left), 0)
+        : Number.POSITIVE_INFINITY;
+      const dy = pen ? Math.max(box.top - origin.top - pen.y, pen.y - (box.bottom - origin.top), 0) : 0;
+      const whole = card.classList.contains('top');
+      card.classList.toggle('away', pen !== null && !whole && Math.hypot(dx, dy) < NEAR);
+    }
+  }
+
+  #ballActions(): BallActions {
+    const { session } = this;
+    return {
+      orbit: (dx, dy) => session.orbit(dx, dy),
+      face: (axis) => session.face(axis),
+      reset: () => session.resetView(),
+    };
+  }
+
+  #key(event: KeyboardEvent): void {
+    const origin = event.composedPath()[0] as HTMLElement;
+    if (origin.matches?.('input') && event.key !== 'Escape') return;
+    // Enter and Space press the button that has the focus; letters are still hot keys there.
+    if (origin.matches?.('button') && (event.key === 'Enter' || event.key === ' ')) return;
+    // A panel that has the focus is what Escape is meant for.
+    if (event.key === 'Escape' && origin.closest?.('.panel')) {
+      this.dismiss();
+      return;
+    }
+    const handled = press(event, this.session, {
+      stepRadius: (direction) => this.#stepRadius(direction),
+      toggleHelp: () => this.toggle('help'),
+      close: () => this.dismiss(),
+    });
+    if (handled) event.preventDefault();
+  }
+
+  #stepRadius(direction: 1 | -1): void {
+    const { radius } = this.document.brush;
+    const step = radius + direction * (radius < 10 || (radius === 10 && direction < 0) ? 0.5 : 1);
+    this.setRadius(roundRadius(step), true);
+  }
+
+  // ── what the controls ask for ───────────────────────────────────────────────────────────────────────
+
+  toggle(name: PanelName): void {
+    this.open = this.open === name ? null : name;
+  }
+
+  dismiss(): void {
+    this.open = null;
+    this.#find<HTMLElement>('.stage').focus({ preventScroll: true });
+  }
+
+  setFingersDraw(on: boolean): void {
+    this.fingersDraw = on;
+    this.session.said = on ? 'Fingers draw' : 'Fingers turn the view';
+  }
+
+  /** A drag of the slider is shown at once and becomes one undo step when it ends. */
+  setRadius(mm: number, done: boolean): void {
+    this.session.setRadius(mm, done);
+  }
+}

@@ -1,0 +1,6 @@
+/** The application: one element that fills the page. `?backend=webgl2` shows it as on a machine without WebGPU. */
+import './element/define.ts';
+
+const sketch = document.querySelector('rotund-sketch');
+const query = new URLSearchParams(location.search);
+if (sketch && query.get('backend') === 'webgl2') sketch.backend = 'webgl2';

@@ -1,0 +1,150 @@
+/**
+ * Grid meshes: rows of points around a form, each joined by quads to the row before it.
+ *
+ * A crease or an end is not a special case but two rows at the same place: a row that is not `joined` starts
+ * again from the points of the row before it with other normals. A closed grid ends with the points of its
+ * first row. Such rows share their coordinates as doubles, so their float32 copies are the same bits and the
+ * mesh is closed by construction.
+ *
+ * A pole (a row of one point) keeps one vertex a column, half way between the two columns of its triangle, so
+ * that a cone's apex is shaded like its flank and textures do not swirl. Triangles that collapse to an edge
+ * are left out; that never opens the mesh, since such a triangle uses its edge once in each direction.
+ *
+ * Texture: v is the column, u the mean distance along the rows, so that nothing is stretched, caps included.
+ */
+
+import type { Plane } from '../math/plane.ts';
+import { cross3 } from '../math/tuple.ts';
+import type { Vec3 } from '../math/vec.ts';
+import type { Mesh } from './mesh.ts';
+
+/** One row: x y z for each column in the plane's coordinates (z = x × y), mm, and unit normals alike. */
+export interface Row {
+  readonly points: Float64Array;
+  readonly normals: Float64Array;
+  /** all points are the same */
+  readonly pole?: boolean;
+  /** quads lead here from the row before; false at a crease, without meaning in the first row */
+  readonly joined: boolean;
+}
+
+/** No triangles: what degenerate input becomes. */
+export function emptyMesh(): Mesh {
+  return {
+    positions: new Float32Array(),
+    normals: new Float32Array(),
+    uvs: new Float32Array(),
+    indices: new Uint32Array(),
+  };
+}
+
+/**
+ * The mesh of rows that are closed around their columns, placed on `plane`: columns + 1 vertices a row, the
+ * last a copy of the first at v = 1. Triangles are counter-clockwise seen from the side to which
+ * (along the rows) × (along the columns) points.
+ */
+export function gridMesh(rows: readonly Row[], columns: number, plane: Plane): Mesh {
+  const vertices = rows.length * (columns + 1);
+  const positions = new Float32Array(3 * vertices);
+  const normals = new Float32Array(3 * vertices);
+  const uvs = new Float32Array(2 * vertices);
+  const us = textureRows(rows, columns);
+  const origin: Vec3 = plane.origin;
+  const z = cross3(plane.x, plane.y);
+  let at = 0;
+  rows.forEach((row, i) => {
+    const vertexNormals = row.pole ? betweenColumns(row.normals, columns) : row.normals;
+    for (let j = 0; j <= columns; j++, at++) {
+      const from = 3 * (j % columns);
+      place(positions, at, row.points, from, origin, plane, z);
+      place(normals, at, vertexNormals, from, [0, 0, 0], plane, z);
+      uvs[2 * at] = us[i]!;
+      uvs[2 * at + 1] = row.pole ? Math.min((j + 0.5) / columns, 1) : j / columns;
+    }
+  });
+  return { positions, normals, uvs, indices: gridIndices(rows, columns, positions) };
+}
+
+/** A point or direction of the plane's coordinates, in the world's. */
+function place(
+  out: Float32Array,
+  vertex: number,
+  source: Float64Array,
+  from: number,
+  origin: Vec3,
+  plane: Plane,
+  z: Vec3,
+): void {
+  const x = source[from]!;
+  const y = source[from + 1]!;
+  const w = source[from + 2]!;
+  for (let k = 0; k < 3; k++) {
+    out[3 * vertex + k] = origin[k]! + x * plane.x[k]! + y * plane.y[k]! + w * z[k]!;
+  }
+}
+
+/** Normals half way between neighbouring columns, where the single triangle of a pole's column is. */
+function betweenColumns(normals: Float64Array, columns: number): Float64Array {
+  const out = new Float64Array(normals.length);
+  for (let j = 0; j < columns; j++) {
+    const a = 3 * j;
+    const b = 3 * ((j + 1) % columns);
+    const sum = [0, 1, 2].map((k) => normals[a + k]! + normals[b + k]!);
+    const length = Math.hypot(...sum);
+    // opposite neighbours cancel: then the column's own normal is as good as any
+    for (let k = 0; k < 3; k++) out[a + k] = length > 1e-6 ? sum[k]! / length : normals[a + k]!;
+  }
+  return out;
+}
+
+/** u of every row, 0–1: the mean distance walked along the columns. */
+function textureRows(rows: readonly Row[], columns: number): number[] {
+  let walked = 0;
+  const us = rows.map((row, i) => {
+    const before = rows[i - 1];
+    if (before && row.joined) walked += meanDistance(before.points, row.points, columns);
+    return walked;
+  });
+  return us.map((u) => (walked > 0 ? u / walked : 0));
+}
+
+function meanDistance(a: Float64Array, b: Float64Array, columns: number): number {
+  let sum = 0;
+  for (let k = 0; k < 3 * columns; k += 3) {
+    sum += Math.hypot(a[k]! - b[k]!, a[k + 1]! - b[k + 1]!, a[k + 2]! - b[k + 2]!);
+  }
+  return sum / columns;
+}
+
+function gridIndices(rows: readonly Row[], columns: number, positions: Float32Array): Uint32Array {
+  const indices = new Uint32Array(6 * columns * Math.max(rows.length - 1, 0));
+  let count = 0;
+  const add = (a: number, b: number, c: number): void => {
+    if (same(positions, a, b) || same(positions, b, c) || same(positions, c, a)) return;
+    indices[count++] = a;
+    indices[count++] = b;
+    indices[count++] = c;
+  };
+  for (let i = 1; i < rows.length; i++) {
+    if (!rows[i]!.joined) continue;
+    for (let j = 0; j < columns; j++) {
+      const a = (i - 1) * (columns + 1) + j;
+      // a pole's triangle takes the vertex of its own column
+      const b = rows[i - 1]!.pole ? a : a + 1;
+      const c = a + columns + 1;
+      add(a, c, b);
+      add(b, c, c + 1);
+    }
+  }
+  return indices.slice(0, count);
+}
+
+function same(positions: Float32Array, a: number, b: number): boolean {
+  const p = 3 * a;
+  const q = 3 * b;
+  return (
+    positions[p] === positions[q] &&
+    positions[p + 1] === positions[q + 1] &&
+    positions[p + 2] === positions[q + 2]
+  );
+}

@@ -1,0 +1,74 @@
+/**
+ * The ink wash under the lines of hbed-ink (thesis 7.2.4, figure 7.9 a): toon's bands as washes of thinned ink. The
+ * lightest band is bare paper. A wash dries darker at its border and is never even; the blotches are noise in the
+ * model's space, so that they turn with the form.
+ *
+ * On dark paper the drawing is heightened with chalk: the lit bands are painted, the shade is bare.
+ */
+import { float, mx_noise_float, positionGeometry, uniform, vec3, vec4 } from 'three/tsl';
+import { DoubleSide, type Node, NodeMaterial, Vector3 } from 'three/webgpu';
+import { facingNormal, LIGHT } from './light.ts';
+import { BAND_STEP, band, LOWEST_BAND, pixelWidth, THRESHOLDS } from './toon.ts';
+
+/** opacity of the washes for the bands .1 .3 .5 .7 */
+const WASH = [0.52, 0.33, 0.16, 0];
+const CHALK = [0, 0.16, 0.33, 0.62];
+/** blotches: share of a wash that comes and goes, and how many of them span the scene's radius */
+const BLOTCH = 0.22;
+const BLOTCHES = 7;
+/** added to the opacity on the dried border of a wash, about 1.2 pixels wide */
+const BORDER = 0.16;
+
+export class InkUniforms {
+  readonly colour = uniform(new Vector3());
+  readonly chalk = uniform(0);
+  /** radius of the scene, mm */
+  readonly radius = uniform(100);
+}
+
+export function inkMaterial(uniforms: InkUniforms): NodeMaterial {
+  const wash = perBand(WASH).mul(uniforms.chalk.oneMinus()).add(perBand(CHALK).mul(uniforms.chalk));
+  const opacity = wash.mul(blotches(uniforms)).add(driedBorder().mul(uniforms.chalk.oneMinus())).clamp(0, 1);
+  const material = new NodeMaterial();
+  material.name = 'ink wash';
+  material.side = DoubleSide;
+  // premultiplied; what lies behind the form is hidden, not seen through the wash
+  material.fragmentNode = vec4(uniforms.colour.mul(opacity), opacity);
+  return material;
+}
+
+/** Piecewise linear through the four bands, so that a border smoothed in `band` is smoothed here too. */
+function perBand(values: readonly number[]): Node<'float'> {
+  const place = band.sub(LOWEST_BAND).div(BAND_STEP);
+  let result: Node<'float'> = float(values[0] ?? 0);
+  for (let i = 1; i < values.length; i++) {
+    const step = (values[i] ?? 0) - (values[i - 1] ?? 0);
+    result = result.add(
+      place
+        .sub(i - 1)
+        .clamp(0, 1)
+        .mul(step),
+    );
+  }
+  return result;
+}
+
+function blotches(uniforms: InkUniforms): Node<'float'> {
+  const place = positionGeometry.mul(float(BLOTCHES).div(uniforms.radius)).toVarying('rotund_blotch');
+  // Stretched along the diagonal, the way a brush is led.
+  const led = vec3(place.x.add(place.y).mul(0.5), place.x.sub(place.y), place.z);
+  const noise = mx_noise_float(led)
+    .mul(0.65)
+    .add(mx_noise_float(led.mul(2.3)).mul(0.35));
+  return noise.mul(BLOTCH).add(1);
+}
+
+function driedBorder(): Node<'float'> {
+  const facing = facingNormal.dot(LIGHT).toVar();
+  const width = pixelWidth(facing);
+  let border: Node<'float'> = float(0);
+  for (const threshold of THRESHOLDS) {
+    border = border.max(facing.sub(threshold).abs().div(width).oneMinus().clamp(0, 1));
+  }
+  return border.mul(BORDER);
+}

@@ -1,0 +1,80 @@
+/**
+ * The light all styles share. Theory: Phong's equation with one directional light, V = (0, 0, 1) and the halfway
+ * vector (thesis 7.1); every number is a display value, nothing is ever converted between colour spaces.
+ *
+ * Departures: the thesis' light vector subtracts a clip-space position from (1, 1, 1) and so turns with the
+ * projection; ours is fixed to the camera, upper left. Its shaders flip the normal where N.z < 0, which draws
+ * bright rims in perspective; ours flip by the side of the face.
+ */
+import {
+  cameraProjectionMatrix,
+  cameraViewMatrix,
+  Fn,
+  frontFacing,
+  normalGeometry,
+  positionView,
+  userData,
+  vec3,
+  vec4,
+} from 'three/tsl';
+import { InterpolationSamplingMode, InterpolationSamplingType, type Node } from 'three/webgpu';
+
+const DIAGONAL = 1 / Math.sqrt(3);
+/** towards the light, view space */
+export const LIGHT = vec3(-DIAGONAL, DIAGONAL, DIAGONAL);
+/** halfway between the light and the viewer at (0, 0, 1): normalize(LIGHT + V) */
+const HALFWAY_LENGTH = Math.hypot(-DIAGONAL, DIAGONAL, DIAGONAL + 1);
+export const HALFWAY = vec3(
+  -DIAGONAL / HALFWAY_LENGTH,
+  DIAGONAL / HALFWAY_LENGTH,
+  (DIAGONAL + 1) / HALFWAY_LENGTH,
+);
+
+/** Shade turns cool, not black: blue keeps more ambient and gains less. */
+export const AMBIENT = vec3(0.43, 0.43, 0.5);
+export const GAIN = vec3(0.83, 0.82, 0.74);
+/** exponent of the highlight */
+export const SHININESS = 40;
+
+/** The part's own colour, display values 0–1, set on the object that is drawn. */
+export const partColour = userData('colour', 'vec3') as unknown as Node<'vec3'>;
+
+/** The vertex normal in view space, outward, of the vertex stage. Parts are never scaled, so no inverse is due. */
+export const vertexNormal = cameraViewMatrix.mul(vec4(normalGeometry, 0)).xyz;
+
+/**
+ * Vertex → pixel, at a covered place of the pixel: at its middle, outside a sliver of the outline, a normal would
+ * run on far beyond the form and draw dark specks along the rim.
+ */
+export function interpolated(value: Node<'vec3'>, name: string): Node<'vec3'> {
+  return value
+    .toVarying(name)
+    .setInterpolation(InterpolationSamplingType.PERSPECTIVE, InterpolationSamplingMode.CENTROID);
+}
+
+const interpolatedNormal = interpolated(vertexNormal, 'rotund_normal');
+
+// 1 in perspective, 0 in orthographic projection
+const perspective = cameraProjectionMatrix.mul(vec4(0, 0, 1, 0)).w.negate();
+const towardsEye = positionView
+  .negate()
+  .mul(perspective)
+  .add(vec3(0, 0, perspective.oneMinus()))
+  .normalize();
+
+/** Sine of the angle to the outline within which a back face keeps its outward normal. */
+const RIM = 0.15;
+
+/**
+ * The unit normal that faces the viewer, view space, of the fragment stage. At poles and tips interpolation may
+ * meet a zero vector; the floor keeps it finite, so no pixel flickers.
+ *
+ * On the outline of a closed form front and back faces meet so steeply that the depth test, which sees corners
+ * snapped to fractions of a pixel, lets some samples of the back through. Flipped, they would draw a rim in the
+ * colour of the other side; so near the outline the normal stays as it is.
+ */
+export const facingNormal = Fn(() => {
+  const outward = interpolatedNormal.div(interpolatedNormal.length().max(1e-6)).toVar();
+  const turnedAway = frontFacing.not().and(outward.dot(towardsEye).lessThan(-RIM));
+  return turnedAway.select(outward.negate(), outward);
+})().toVar();

@@ -1,0 +1,179 @@
+/**
+ * Items of the document → what three draws. An item's geometry is uploaded once and shared by its mesh in every
+ * pass; items are told apart by id and compared by reference, since documents never change in place.
+ */
+import {
+  BufferAttribute,
+  BufferGeometry,
+  type Material,
+  Sphere,
+  Mesh as ThreeMesh,
+  Scene as ThreeScene,
+  Vector3,
+} from 'three/webgpu';
+import type { Mesh } from '../mesh/mesh.ts';
+import { displayRgb } from './look.ts';
+
+export interface SceneItem {
+  readonly id: string;
+  readonly mesh: Mesh;
+  /** #rrggbb, display sRGB */
+  readonly colour: string;
+  /** drawn lightly and without lines: not yet kept */
+  readonly preview: boolean;
+}
+
+export interface Part {
+  readonly item: SceneItem;
+  readonly geometry: BufferGeometry;
+  /** its meshes in all the passes */
+  readonly meshes: readonly ThreeMesh[];
+  /** those of the colour pass; a preview has none */
+  readonly fill: ThreeMesh | null;
+  readonly wire: ThreeMesh | null;
+}
+
+/** What the parts are drawn with, one material a pass for all of them. */
+export interface PartMaterials {
+  readonly line: Material;
+  readonly occluder: Material;
+  readonly wire: Material;
+  readonly preview: Material;
+}
+
+/** One three scene a pass, so that a pass is a list of what it draws and nothing is switched on and off. */
+export class Parts {
+  readonly lines = named('lines');
+  readonly colour = named('colour');
+  readonly preview = named('preview');
+  /** around everything; radius 0 when there is nothing */
+  readonly sphere = new Sphere(new Vector3(), 0);
+  readonly #parts = new Map<string, Part>();
+  readonly #materials: PartMaterials;
+  #fill: Material;
+  #wireframe = false;
+
+  constructor(materials: PartMaterials, fill: Material) {
+    this.#materials = materials;
+    this.#fill = fill;
+  }
+
+  all(): Iterable<Part> {
+    return this.#parts.values();
+  }
+
+  get hasPreview(): boolean {
+    return [...this.#parts.values()].some((part) => part.item.preview);
+  }
+
+  get hasKept(): boolean {
+    return [...this.#parts.values()].some((part) => !part.item.preview);
+  }
+
+  /** Returns whether geometry or what is a preview changed, in other words whether lines and bounds did. */
+  sync(items: readonly SceneItem[]): boolean {
+    let changed = false;
+    const wanted = new Set(items.map((item) => item.id));
+    for (const [id, part] of this.#parts) {
+      if (wanted.has(id)) continue;
+      this.#remove(part);
+      changed = true;
+    }
+    for (const item of items) changed = this.#put(item) || changed;
+    if (changed) this.#measure();
+    return changed;
+  }
+
+  setFill(material: Material): void {
+    this.#fill = material;
+    for (const { fill } of this.#parts.values()) if (fill) fill.material = material;
+  }
+
+  setWireframe(on: boolean): void {
+    this.#wireframe = on;
+    for (const { wire } of this.#parts.values()) if (wire) wire.visible = on;
+  }
+
+  dispose(): void {
+    this.sync([]);
+  }
+
+  #put(item: SceneItem): boolean {
+    const old = this.#parts.get(item.id);
+    if (old && old.item.mesh === item.mesh && old.item.preview === item.preview) {
+      if (old.item.colour !== item.colour) this.#recolour(old, item);
+      return false;
+    }
+    if (old) this.#remove(old);
+    const geometry = toGeometry(item);
+    const part = { item, geometry, ...(item.preview ? this.#lightly(geometry) : this.#fully(geometry)) };
+    for (const mesh of part.meshes) mesh.name = item.id;
+    this.#parts.set(item.id, part);
+    this.#recolour(part, item);
+    return true;
+  }
+
+  #fully(geometry: BufferGeometry): Omit<Part, 'item' | 'geometry'> {
+    const line = add(this.lines, geometry, this.#materials.line);
+    const fill = add(this.colour, geometry, this.#fill);
+    const wire = add(this.colour, geometry, this.#materials.wire);
+    const occluder = add(this.preview, geometry, this.#materials.occluder);
+    wire.visible = this.#wireframe;
+    // before the grid, which is blended over what is there
+    wire.renderOrder = 1;
+    return { meshes: [line, fill, wire, occluder], fill, wire };
+  }
+
+  /** Depth first, then colour where it is nearest: the inside of a light form never shows through it. */
+  #lightly(geometry: BufferGeometry): Omit<Part, 'item' | 'geometry'> {
+    const depth = add(this.preview, geometry, this.#materials.occluder);
+    const colour = add(this.preview, geometry, this.#materials.preview);
+    colour.renderOrder = 1;
+    return { meshes: [depth, colour], fill: null, wire: null };
+  }
+
+  #recolour(part: Part, item: SceneItem): void {
+    const colour = new Vector3(...displayRgb(item.colour));
+    for (const mesh of part.meshes) mesh.userData.colour = colour;
+    if (part.item !== item) this.#parts.set(item.id, { ...part, item });
+  }
+
+  #remove(part: Part): void {
+    for (const mesh of part.meshes) mesh.removeFromParent();
+    part.geometry.dispose();
+    this.#parts.delete(part.item.id);
+  }
+
+  /** Grown from the items' own spheres: within a few per cent of the smallest. */
+  #measure(): void {
+    this.sphere.makeEmpty();
+    for (const { geometry } of this.#parts.values()) {
+      if (geometry.boundingSphere) this.sphere.union(geometry.boundingSphere);
+    }
+    if (this.sphere.isEmpty()) this.sphere.set(new Vector3(), 0);
+  }
+}
+
+function named(name: string): ThreeScene {
+  const scene = new ThreeScene();
+  scene.name = name;
+  return scene;
+}
+
+function add(scene: ThreeScene, geometry: BufferGeometry, material: Material): ThreeMesh {
+  const mesh = new ThreeMesh(geometry, material);
+  mesh.matrixAutoUpdate = false;
+  scene.add(mesh);
+  return mesh;
+}
+
+function toGeometry(item: SceneItem): BufferGeometry {
+  const geometry = new BufferGeometry();
+  geometry.name = item.id;
+  const { positions, normals, indices } = item.mesh;
+  geometry.setAttribute('position', new BufferAttribute(positions, 3));
+  geometry.setAttribute('normal', new BufferAttribute(normals, 3));
+  geometry.setIndex(new BufferAttribute(indices, 1));
+  geometry.computeBoundingSphere();
+  return geometry;
+}

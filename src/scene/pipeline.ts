@@ -1,0 +1,225 @@
+/**
+ * A frame, as the list of its passes:
+ *
+ *   1 lines    parts → normals and depth, one sample a texel                   when the style draws lines
+ *   2 edges    a kernel over them → how much of a texel is line                alike
+ *   3 colour   parts in the style's material, wires, grid → 4 samples a pixel  unless there is nothing to fill
+ *   4 preview  forms not yet kept, lightly → 4 samples a pixel                 when there are any
+ *   5 page     paper, colour, lines, preview → the canvas
+ *
+ * Lines and colour are two passes because attachments of one pass share a sample count, and normals must not be
+ * averaged before they are compared. The line passes run at up to twice the screen's resolution and the page pass
+ * averages their coverage over a small tent, so no staircase remains.
+ */
+
+import type { Scene as ThreeScene, WebGPURenderer } from 'three/webgpu';
+import { type Camera, Color, type NodeMaterial, QuadMesh, type RenderTarget, Vector2 } from 'three/webgpu';
+import type { View } from '../stroke/stroke.ts';
+import { Grid } from './grid.ts';
+import { edgeMaterial, type Kernel, LineUniforms, lineMaterial } from './hbed.ts';
+import { InkUniforms, inkMaterial } from './ink.ts';
+import { DEFAULT_LOOK, displayRgb, isDark, type Look, lineColour, PAPER_COLOUR, type Style } from './look.ts';
+import { PageUniforms, pageMaterial } from './page.ts';
+import { GRAIN, makeGrain } from './paper.ts';
+import { Parts } from './part.ts';
+import { previewMaterial } from './preview.ts';
+import { gouraudMaterial, phongMaterial } from './shading.ts';
+import { makeTargets } from './targets.ts';
+import { occluderMaterial, toonMaterial, wireMaterial } from './toon.ts';
+
+/** Lines are found at up to this many texels a CSS pixel, at most twice the screen's resolution, … */
+const LINE_DENSITY = 4;
+/** … and in at most this many texels (12 bytes each), unless the scene's options say otherwise. */
+export const LINE_TEXELS = 9e6;
+/** A software adapter takes .2 µs for a texel. */
+export const LINE_TEXELS_IN_SOFTWARE = 1e6;
+/** No normal, encoded: what HBED compares an outline with. */
+const NO_NORMAL = new Color().setRGB(0.5, 0.5, 0.5);
+const CLEAR = new Color(0);
+/** Depth 1 in the line pass, nothing at all in the others. */
+const FAR = 1;
+const NOTHING = 0;
+
+export class Pipeline {
+  readonly parts: Parts;
+  readonly #renderer: WebGPURenderer;
+  readonly #grid = new Grid();
+  readonly #lines = new LineUniforms();
+  readonly #ink = new InkUniforms();
+  readonly #page = new PageUniforms();
+  readonly #targets = makeTargets();
+  readonly #grain: RenderTarget;
+  // made when first used, kept for the life of the scene
+  readonly #materials = new Map<string, NodeMaterial>();
+  readonly #quad: QuadMesh;
+  readonly #lineTexels: number;
+  readonly #size = new Vector2(1, 1);
+  #look: Look = DEFAULT_LOOK;
+  #pixelRatio = 1;
+
+  constructor(renderer: WebGPURenderer, lineTexels: number) {
+    this.#renderer = renderer;
+    this.#lineTexels = lineTexels;
+    this.#grain = makeGrain(renderer);
+    const fill = this.#fill('toon');
+    this.parts = new Parts(
+      {
+        line: this.#once('lines', () => lineMaterial(this.#lines)),
+        occluder: this.#once('occluder', occluderMaterial),
+        wire: this.#once('wire', () => wireMaterial(this.#page.line)),
+        preview: this.#once('preview', () =>
+          previewMaterial(this.#targets.edges.texture, this.#lines, this.#page),
+        ),
+      },
+      fill,
+    );
+    this.#quad = new QuadMesh(fill);
+    this.parts.colour.add(this.#grid.mesh);
+    this.setLook(DEFAULT_LOOK);
+  }
+
+  setLook(look: Look): void {
+    this.#look = look;
+    const ink = displayRgb(lineColour(look.background));
+    this.#page.paper.value.set(...displayRgb(PAPER_COLOUR[look.background]));
+    this.#page.line.value.set(...ink);
+    this.#page.grain.value = look.grain && look.background === 'paper' ? GRAIN : 0;
+    this.#ink.colour.value.set(...ink);
+    this.#ink.chalk.value = isDark(look.background) ? 1 : 0;
+    this.#lines.creases.value = look.creases;
+    this.#lines.overlaps.value = look.overlaps;
+    this.#grid.setColour(ink);
+    this.#grid.mesh.visible = look.grid;
+    this.parts.setFill(this.#fill(look.style));
+    this.parts.setWireframe(look.wireframe);
+    this.#scaleLines();
+  }
+
+  /** CSS pixels, and device pixels a CSS pixel. */
+  resize(width: number, height: number, pixelRatio: number): void {
+    this.#pixelRatio = pixelRatio;
+    this.#renderer.setPixelRatio(pixelRatio);
+    this.#renderer.setSize(width, height, false);
+    this.#renderer.getDrawingBufferSize(this.#size);
+    const scale = this.#lineScale();
+    const { lines, edges, colour, preview } = this.#targets;
+    const [width2, height2] = [Math.floor(this.#size.x * scale), Math.floor(this.#size.y * scale)];
+    for (const target of [lines, edges]) target.setSize(width2, height2);
+    for (const target of [colour, preview]) target.setSize(this.#size.x, this.#size.y);
+    this.#page.pixelRatio.value = pixelRatio;
+    this.#scaleLines();
+  }
+
+  render(camera: Camera, view: View): void {
+    const { style, grid, wireframe } = this.#look;
+    const kernel = this.parts.hasKept ? this.#kernel() : null;
+    const fills = style !== 'hbed-lines' || grid || wireframe;
+    const { lines, edges, colour, preview } = this.#targets;
+    this.#renderer.info.reset();
+    this.#measure(camera, view);
+    this.#page.lined.value = kernel ? 1 : 0;
+    if (kernel) this.#draw(this.parts.lines, camera, lines, NO_NORMAL, FAR);
+    if (kernel) this.#cover(this.#edges(kernel), edges);
+    if (fills) this.#draw(this.parts.colour, camera, colour, CLEAR, NOTHING);
+    if (this.parts.hasPreview) this.#draw(this.parts.preview, camera, preview, CLEAR, NOTHING);
+    this.#cover(this.#sheet(kernel !== null, fills, this.parts.hasPreview), null);
+  }
+
+  dispose(): void {
+    this.parts.dispose();
+    this.#grid.dispose();
+    this.#grain.dispose();
+    for (const target of Object.values(this.#targets)) target.dispose();
+    for (const material of this.#materials.values()) material.dispose();
+  }
+
+  #draw(scene: ThreeScene, camera: Camera, target: RenderTarget, clear: Color, alpha: number): void {
+    this.#renderer.setClearColor(clear, alpha);
+    this.#renderer.setRenderTarget(target);
+    this.#renderer.render(scene, camera);
+  }
+
+  #cover(material: NodeMaterial, target: RenderTarget | null): void {
+    this.#renderer.setRenderTarget(target);
+    this.#quad.material = material;
+    this.#quad.render(this.#renderer);
+  }
+
+  /** Depth is measured over the scene's sphere, so that a threshold means the same at every zoom. */
+  #measure(camera: Camera, view: View): void {
+    const { center, radius } = this.parts.sphere;
+    const reach = Math.max(radius, 1e-3);
+    const distance = -center.clone().applyMatrix4(camera.matrixWorldInverse).z;
+    this.#lines.depthRange.value.set(distance - reach, 2 * reach);
+    this.#ink.radius.value = reach;
+    if (this.#look.grid) {
+      this.#grid.update(view, camera, this.#size.x / this.#size.y, this.#size.y / this.#pixelRatio);
+    }
+  }
+
+  /** The kernel the look asks for, or null for no lines. */
+  #kernel(): Kernel | null {
+    const { style, kernel, outline } = this.#look;
+    if (style !== 'hbed-lines' && style !== 'hbed-ink' && !outline) return null;
+    if (kernel !== 'auto') return kernel;
+    return style === 'hbed-lines' ? 'C' : style === 'hbed-ink' ? 'D' : 'contour';
+  }
+
+  /** Texels of the line passes along a device pixel: 1, 1.5 or 2. */
+  #lineScale(): number {
+    const affordable = Math.sqrt(this.#lineTexels / (this.#size.x * this.#size.y));
+    const scale = Math.min(2, LINE_DENSITY / this.#pixelRatio, affordable);
+    return Math.max(1, Math.floor(2 * scale) / 2);
+  }
+
+  #scaleLines(): void {
+    const { width, height } = this.#targets.lines;
+    this.#lines.texel.value.set(1 / width, 1 / height);
+    const scale = this.#lineScale();
+    const kernel = this.#kernel();
+    if (kernel) this.#lines.setScale(this.#pixelRatio * scale, kernel);
+    // At the screen's resolution a pixel is the middle of a texel: ½ a texel gives (1, 2, 1)/4; at twice that it is
+    // the corner of four: ¾ gives (1, 3, 3, 1)/8.
+    const reach = 0.25 + 0.25 * scale;
+    this.#page.tent.value.set(reach / width, reach / height);
+  }
+
+  #fill(style: Style): NodeMaterial {
+    switch (style) {
+      case 'toon':
+        return this.#once(style, toonMaterial);
+      case 'gouraud':
+        return this.#once(style, gouraudMaterial);
+      case 'phong':
+        return this.#once(style, phongMaterial);
+      case 'hbed-ink':
+        return this.#once(style, () => inkMaterial(this.#ink));
+      case 'hbed-lines':
+        return this.#once('occluder', occluderMaterial);
+    }
+  }
+
+  #edges(kernel: Kernel): NodeMaterial {
+    return this.#once(`edges ${kernel}`, () =>
+      edgeMaterial(this.#targets.lines.texture, this.#lines, kernel),
+    );
+  }
+
+  #sheet(lines: boolean, fills: boolean, previews: boolean): NodeMaterial {
+    const { edges, colour, preview } = this.#targets;
+    return this.#once(`page ${lines} ${fills} ${previews}`, () =>
+      pageMaterial(this.#page, {
+        grain: this.#grain.texture,
+        colour: fills ? colour.texture : null,
+        edges: lines ? edges.texture : null,
+        preview: previews ? preview.texture : null,
+      }),
+    );
+  }
+
+  #once(name: string, make: () => NodeMaterial): NodeMaterial {
+    const made = this.#materials.get(name) ?? make();
+    this.#materials.set(name, made);
+    return made;
+  }
+}

@@ -1,0 +1,56 @@
+/**
+ * Smooth shading: the same light as toon without thresholds. Gouraud lights the vertices and interpolates the
+ * colours; Phong interpolates the normal and lights every pixel, with a quarter of the ambient light, as the
+ * thesis' shaders have it.
+ */
+import { frontFacing, vec3, vec4 } from 'three/tsl';
+import { DoubleSide, type Node, NodeMaterial } from 'three/webgpu';
+import {
+  AMBIENT,
+  facingNormal,
+  GAIN,
+  HALFWAY,
+  interpolated,
+  LIGHT,
+  partColour,
+  SHININESS,
+  vertexNormal,
+} from './light.ts';
+
+const PHONG_AMBIENT = 0.25;
+/** Full ambient and full diffuse light add up to 1.26; at .7 a lit form is as bright as toon's lightest band. */
+const GOURAUD_GAIN = 0.7;
+/** white added at the middle of the highlight: it stays tinted, as wax or fruit do */
+const HIGHLIGHT = 0.25;
+
+/** Light that reaches a surface with this unit normal: what multiplies its colour, and what is added to it. */
+function lighting(normal: Node<'vec3'>, ambient: Node<'vec3'>, gain: number) {
+  const facing = normal.dot(LIGHT).max(0);
+  const highlight = normal.dot(HALFWAY).max(0).pow(SHININESS);
+  return { diffuse: ambient.add(GAIN.mul(facing.mul(gain))), highlight: highlight.mul(HIGHLIGHT) };
+}
+
+function colour(normal: Node<'vec3'>, ambient: Node<'vec3'>, gain: number): Node<'vec3'> {
+  const { diffuse, highlight } = lighting(normal, ambient, gain);
+  return partColour.mul(diffuse).add(vec3(highlight)).clamp(0, 1);
+}
+
+export function phongMaterial(): NodeMaterial {
+  const material = new NodeMaterial();
+  material.name = 'phong';
+  material.side = DoubleSide;
+  material.fragmentNode = vec4(colour(facingNormal, AMBIENT.mul(PHONG_AMBIENT), 1), 1);
+  return material;
+}
+
+export function gouraudMaterial(): NodeMaterial {
+  // A vertex does not know which side of its faces will be seen: both are lit, the pixel chooses.
+  const outward = vertexNormal.div(vertexNormal.length().max(1e-6));
+  const front = interpolated(colour(outward, AMBIENT, GOURAUD_GAIN), 'rotund_front');
+  const back = interpolated(colour(outward.negate(), AMBIENT, GOURAUD_GAIN), 'rotund_back');
+  const material = new NodeMaterial();
+  material.name = 'gouraud';
+  material.side = DoubleSide;
+  material.fragmentNode = vec4(frontFacing.select(front, back), 1);
+  return material;
+}

@@ -1,0 +1,103 @@
+/**
+ * Toon shading (thesis 7.1): both dot products of Phong's equation are cut into bands. N·L below .1, .2, .7 and
+ * above becomes .1, .3, .5, .7; the highlight is on where (N·H)^shininess exceeds .8.
+ *
+ * Departures: the thresholds are display values of 2006, so they are applied in display space (shaded linearly the
+ * bands come out as .35 .58 .74 .85, washed out). Borders are ramps one pixel wide, because multisampling smooths
+ * the edges of triangles only. The highlight is cut on N·H instead of its 40th power: the same curve, but its
+ * slope stays moderate, so that the width of a pixel is measured well on small tips.
+ */
+import {
+  cameraProjectionMatrix,
+  cameraViewMatrix,
+  dFdx,
+  dFdy,
+  mix,
+  positionGeometry,
+  vec2,
+  vec3,
+  vec4,
+} from 'three/tsl';
+import {
+  CustomBlending,
+  DoubleSide,
+  MeshBasicNodeMaterial,
+  type Node,
+  NodeMaterial,
+  OneFactor,
+  OneMinusSrcAlphaFactor,
+} from 'three/webgpu';
+import { AMBIENT, facingNormal, GAIN, HALFWAY, LIGHT, partColour, SHININESS } from './light.ts';
+
+export const THRESHOLDS = [0.1, 0.2, 0.7] as const;
+/** Every band is one step above the last: .1 .3 .5 .7. */
+export const LOWEST_BAND = 0.1;
+export const BAND_STEP = 0.2;
+/** the highlight is on where (N·H)^SHININESS exceeds this */
+const HIGHLIGHT_THRESHOLD = 0.8;
+/** how far the highlight goes from the lit colour to white: a tint, not a hole in the picture */
+const HIGHLIGHT_WHITE = 0.75;
+const WIRE_OPACITY = 0.35;
+
+/** 0 below the threshold, 1 above, a ramp of one pixel between. */
+export function pixelStep(value: Node<'float'>, threshold: number): Node<'float'> {
+  return value.sub(threshold).div(pixelWidth(value)).add(0.5).clamp(0, 1);
+}
+
+/** How much the value changes across one pixel in the direction of its steepest slope. */
+export function pixelWidth(value: Node<'float'>): Node<'float'> {
+  return vec2(dFdx(value), dFdy(value)).length().max(1e-5);
+}
+
+const facingLight = facingNormal.dot(LIGHT).toVar();
+
+/** .1 .3 .5 .7 */
+export const band = THRESHOLDS.reduce<Node<'float'>>(
+  (sum, threshold) => sum.add(pixelStep(facingLight, threshold).mul(BAND_STEP)),
+  facingLight.mul(0).add(LOWEST_BAND),
+);
+
+const highlight = pixelStep(facingNormal.dot(HALFWAY).toVar(), HIGHLIGHT_THRESHOLD ** (1 / SHININESS));
+
+const lit = partColour.mul(AMBIENT.add(GAIN.mul(band))).clamp(0, 1);
+
+/** The toon colour of a part, display values. */
+export const toonColour: Node<'vec3'> = mix(lit, vec3(1), highlight.mul(HIGHLIGHT_WHITE));
+
+export function toonMaterial(): NodeMaterial {
+  const material = new NodeMaterial();
+  material.name = 'toon';
+  material.side = DoubleSide;
+  material.fragmentNode = vec4(toonColour, 1);
+  return material;
+}
+
+/** Hides what is behind and shows nothing itself. */
+export function occluderMaterial(): NodeMaterial {
+  const material = new NodeMaterial();
+  material.name = 'occluder';
+  material.side = DoubleSide;
+  material.colorWrite = false;
+  material.fragmentNode = vec4(0);
+  return material;
+}
+
+/** Moves wires towards the viewer, in parts of the depth range, so that their own triangles do not hide them. */
+const WIRE_LIFT = 5e-4;
+
+/** The triangles' edges, faintly, in the colour of the lines. */
+export function wireMaterial(colour: Node<'vec3'>): NodeMaterial {
+  // The base class lacks `wireframe`, which the renderer asks every material for.
+  const material = new MeshBasicNodeMaterial();
+  material.name = 'wire';
+  material.wireframe = true;
+  material.transparent = true;
+  material.depthWrite = false;
+  material.blending = CustomBlending;
+  material.blendSrc = OneFactor;
+  material.blendDst = OneMinusSrcAlphaFactor;
+  const place = cameraProjectionMatrix.mul(cameraViewMatrix).mul(vec4(positionGeometry, 1)).toVar();
+  material.vertexNode = vec4(place.xy, place.z.sub(place.w.mul(WIRE_LIFT)), place.w);
+  material.fragmentNode = vec4(colour.mul(WIRE_OPACITY), WIRE_OPACITY);
+  return material;
+}

@@ -1,0 +1,132 @@
+/**
+ * From what the pen reported to the control points of a smooth stroke: the one pipeline all strokes pass.
+ *
+ * Theory: the thesis, chapter 4: a B-spline of few control points, found by reversing subdivision three times.
+ * Departures: least squares by default (`leastSquares.ts` has the numbers); steps measured in length, not in samples;
+ * hooks, closing and corners, which the thesis leaves out; short strokes are resampled finer instead of being reduced
+ * to a handful of points (a half circle of 34 samples and three levels leaves 6 control points, and the sphere made of
+ * it 2 % too large).
+ */
+import type { Vec2 } from '../math/vec.ts';
+import type { Degree } from './bspline.ts';
+import { clean } from './clean.ts';
+import { CLOSED_TOLERANCE, isClosed, joinEnds } from './closed.ts';
+import { findCorners } from './corners.ts';
+import { fillGaps } from './gaps.ts';
+import { removeHooks } from './hooks.ts';
+import { fitLeastSquares } from './leastSquares.ts';
+import { between, type Ink, type Path, pathOf, toVec } from './path.ts';
+import { pressureProfile } from './pressure.ts';
+import { resample } from './resample.ts';
+import { reverseLevels } from './reverse.ts';
+import type { Sample } from './stroke.ts';
+import { fineCount } from './subdivide.ts';
+
+/** 'chaikin' and 'cubic' reverse subdivision as the thesis does; 'cubic' makes degree 3, the others 2 */
+export type FilterKind = 'least-squares' | 'chaikin' | 'cubic';
+
+export interface FilterOptions {
+  readonly filter: FilterKind;
+  /** 0–6: each level halves the control points; 0 keeps the resampled polyline */
+  readonly levels: number;
+  /** 'auto' (default) closes strokes whose ends nearly meet */
+  readonly closed?: boolean | 'auto';
+  /** keep sharp corners (default true) */
+  readonly corners?: boolean;
+  /** mm; the smallest thing a hand means to draw: 1/200 of the height visible while drawing (default 1) */
+  readonly grain?: number;
+}
+
+export const FILTER_DEFAULTS: FilterOptions = { filter: 'least-squares', levels: 3 };
+
+export interface FilteredStroke {
+  readonly degree: Degree;
+  readonly closed: boolean;
+  /** one closed piece without corners; all other pieces are clamped and meet at their ends */
+  readonly periodic: boolean;
+  /** control points in mm, at least FEWEST_CONTROLS each */
+  readonly pieces: readonly (readonly Vec2[])[];
+  /** 0–1, evenly along the stroke; closed strokes do not repeat the first */
+  readonly pressure: readonly number[];
+}
+
+/** Fewer control points than this visibly deform a half circle. */
+export const FEWEST_CONTROLS = 8;
+/** Short strokes are resampled finer: with fewer steps the chords between them would show. */
+const FEWEST_STEPS = 96;
+/** fine points per grain: at three levels a control point every 5.3 grains */
+const STEPS_PER_GRAIN = 1.5;
+/** 100 m of stroke at the default grain; longer ones get longer steps */
+const MOST_FINE_POINTS = 1 << 17;
+/** a tremble of one pixel to either side, at four pixels a grain */
+const REST_GRAINS = 0.4;
+
+/** The smooth stroke, or null when the samples hold fewer than two places (a dot). RangeError for levels beyond 0–6. */
+export function filterStroke(samples: readonly Sample[], options: FilterOptions): FilteredStroke | null {
+  checkLevels(options.levels);
+  const grain = options.grain ?? 1;
+  const cleaned = clean(samples, REST_GRAINS * grain);
+  if (cleaned === null) return null;
+  const drawn = pathOf(removeHooks(cleaned.samples, grain), false);
+  const path = shouldClose(drawn, options.closed ?? 'auto') ? joinEnds(drawn) : drawn;
+  const corners = (options.corners ?? true) ? findCorners(path, grain) : [];
+  const periodic = path.closed && corners.length === 0;
+  return {
+    degree: options.filter === 'cubic' ? 3 : 2,
+    closed: path.closed,
+    periodic,
+    pieces: split(path, corners).map((points) => fitPiece(points, periodic, options, grain)),
+    pressure: pressureProfile(path, corners[0] ?? 0),
+  };
+}
+
+function shouldClose(path: Path, closed: boolean | 'auto'): boolean {
+  // two points enclose nothing
+  if (path.points.length < 3) return false;
+  return closed === 'auto' ? isClosed(path, CLOSED_TOLERANCE) : closed;
+}
+
+/** The stretches between corners, in order; a closed path begins at its first corner. Neighbours share their ends exactly. */
+function split(path: Path, corners: readonly number[]): readonly (readonly Ink[])[] {
+  if (path.closed && corners.length === 0) return [path.points];
+  const bounds = path.closed ? [...corners, corners[0]! + path.length] : [0, ...corners, path.length];
+  const pieces = bounds.slice(1).map((to, i) => between(path, bounds[i]!, to));
+  return pieces.map((piece, i) => {
+    const next = pieces[i + 1] ?? (path.closed ? pieces[0] : undefined);
+    return next === undefined ? piece : [...piece.slice(0, -1), next[0]!];
+  });
+}
+
+function fitPiece(
+  points: readonly Ink[],
+  periodic: boolean,
+  options: FilterOptions,
+  grain: number,
+): readonly Vec2[] {
+  const degree = options.filter === 'cubic' ? 3 : 2;
+  const drawn = pathOf(points, periodic);
+  const step = Math.min(grain / STEPS_PER_GRAIN, drawn.length / FEWEST_STEPS);
+  const even = evenPath(pathOf(fillGaps(points, periodic, step), periodic), step);
+  const count = controlCount(even.length, grain, options.levels);
+  const fine = resample(even, fineCount(count, degree, periodic, options.levels)).map(toVec);
+  if (options.levels === 0) return fine;
+  if (options.filter === 'least-squares') return fitLeastSquares(fine, degree, periodic, count);
+  return reverseLevels(fine, degree, periodic, options.levels);
+}
+
+/** Resampled once to steps alike, because tremble lengthens a path and unevenly so: by a tenth where the pen is slow. */
+function evenPath(path: Path, step: number): Path {
+  const count = Math.ceil(Math.min(path.length / step, MOST_FINE_POINTS)) + 1;
+  return pathOf(resample(path, count), path.closed);
+}
+
+/** Control points of a piece: by its length alone, never by the pen's rate. */
+function controlCount(length: number, grain: number, levels: number): number {
+  const fine = Math.min((length * STEPS_PER_GRAIN) / grain, MOST_FINE_POINTS);
+  return Math.max(FEWEST_CONTROLS, Math.ceil(fine / (1 << levels)) + 2);
+}
+
+function checkLevels(levels: number): void {
+  if (Number.isInteger(levels) && levels >= 0 && levels <= 6) return;
+  throw new RangeError(`filter levels must be a whole number from 0 to 6, got ${levels}`);
+}

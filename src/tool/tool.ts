@@ -1,0 +1,53 @@
+/**
+ * Tools are small state machines: a handler returns the next state, or nothing to stay. Every state answers
+ * cancel (Escape, a second finger, a lost pointer, a change of tool), so that no gesture can be left half done.
+ */
+import type { Command } from '../document/command/index.ts';
+import type { Document } from '../document/document.ts';
+import type { Stroke } from '../stroke/stroke.ts';
+import type { Hit, Viewport } from './viewport.ts';
+
+/** One report of the pointer. */
+export interface Pen {
+  /** CSS pixels on the canvas */
+  readonly x: number;
+  readonly y: number;
+  readonly pressure: number;
+  readonly tiltX: number;
+  readonly tiltY: number;
+  /** ms, any origin */
+  readonly time: number;
+  readonly pointer: Stroke['pointer'];
+}
+
+/** What a tool has to tell; the words are the interface's. */
+export type Notice = 'too-short' | 'edge-on';
+
+/** What a tool sees and may ask for. */
+export interface Bench {
+  readonly document: Document;
+  readonly viewport: Viewport;
+  commit(commands: readonly Command[]): void;
+  notify(notice: Notice): void;
+}
+
+/** The gesture so far, for the wet ink. */
+export interface Wet {
+  readonly pens: readonly Pen[];
+  /** the part it starts on */
+  readonly on: Hit | null;
+  /** lifting now closes it */
+  readonly closing: boolean;
+}
+
+export interface State {
+  /** the moment, for tests: `draw.idle`, `draw.drawing` */
+  readonly name: string;
+  readonly wet?: Wet;
+  /** The document as it would be if the pen were lifted now; null: as it is. */
+  preview?(bench: Bench): Document | null;
+  down?(pen: Pen, bench: Bench): State | undefined;
+  move?(pens: readonly Pen[], bench: Bench): State | undefined;
+  up?(bench: Bench): State | undefined;
+  cancel(): State;
+}

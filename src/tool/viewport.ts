@@ -1,0 +1,16 @@
+import type { Vec3 } from '../math/vec.ts';
+import type { View } from '../stroke/stroke.ts';
+
+/** A point of the model under the pen. */
+export interface Hit {
+  readonly point: Vec3;
+  /** of the part or of the unfinished form */
+  readonly id: string;
+}
+
+/** How a tool sees the picture. Positions are CSS pixels from the upper left of the canvas, y down. */
+export interface Viewport {
+  readonly size: { readonly width: number; readonly height: number };
+  readonly view: View;
+  pick(x: number, y: number): Hit | null;
+}

@@ -1,0 +1,88 @@
+/** A drawing without a screen: the tool on a real document, with a picture of 800 × 600 px and 200 mm. */
+import type { Command } from '../../src/document/command/index.ts';
+import type { Document } from '../../src/document/document.ts';
+import { commit, type History, newHistory, undo } from '../../src/document/history.ts';
+import type { View } from '../../src/stroke/stroke.ts';
+import { idle } from '../../src/tool/draw.ts';
+import type { Bench, Notice, Pen, State } from '../../src/tool/tool.ts';
+import type { Hit } from '../../src/tool/viewport.ts';
+
+export class Driver implements Bench {
+  history: History = newHistory();
+  state: State = idle;
+  view: View = { pivot: [0, 0, 0], rotation: [0, 0, 0, 1], height: 200, fov: 0 };
+  readonly size = { width: 800, height: 600 };
+  readonly notices: Notice[] = [];
+  hit: Hit | null = null;
+
+  get document(): Document {
+    return this.history.present;
+  }
+
+  get viewport(): this {
+    return this;
+  }
+
+  pick(): Hit | null {
+    return this.hit;
+  }
+
+  commit(commands: readonly Command[]): void {
+    this.history = commands.reduce(commit, this.history);
+  }
+
+  notify(notice: Notice): void {
+    this.notices.push(notice);
+  }
+
+  undo(): void {
+    this.history = undo(this.history);
+  }
+
+  down(x: number, y: number): void {
+    this.state = this.state.down?.(pen(x, y, 0), this) ?? this.state;
+  }
+
+  move(x: number, y: number, time = 8): void {
+    this.state = this.state.move?.([pen(x, y, time)], this) ?? this.state;
+  }
+
+  up(): void {
+    this.state = this.state.up?.(this) ?? this.state;
+  }
+
+  cancel(): void {
+    this.state = this.state.cancel();
+  }
+
+  /** A whole stroke through the points, in steps of a few pixels. */
+  draw(points: readonly (readonly [number, number])[]): void {
+    this.trace(points);
+    this.up();
+  }
+
+  trace(points: readonly (readonly [number, number])[]): void {
+    const [first, ...rest] = points;
+    this.down(...first!);
+    let from = first!;
+    let time = 0;
+    for (const to of rest) {
+      const steps = Math.max(1, Math.ceil(Math.hypot(to[0] - from[0], to[1] - from[1]) / 6));
+      for (let i = 1; i <= steps; i++) {
+        time += 8;
+        this.move(from[0] + ((to[0] - from[0]) * i) / steps, from[1] + ((to[1] - from[1]) * i) / steps, time);
+      }
+      from = to;
+    }
+  }
+}
+
+const pen = (x: number, y: number, time: number): Pen => ({
+  x,
+  y,
+  pressure: 0.5,
+  tiltX: 0,
+  tiltY: 0,
+  time,
+  pointer: 'pen',
+});
