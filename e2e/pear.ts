@@ -1,19 +1,60 @@
 /** The thesis' pear: two strokes for the body, two for the stem, as a hand would draw them in an 800 × 600 picture. */
-import { alongPath, type Point } from './pen.ts';
+import { type Point, smoothThrough, trembling } from './pen.ts';
 
+/** In a square of 160 × 200, to be placed in the picture. */
 const SCALE = 2.1;
 const place = ([x, y]: Point): Point => [400 + (x - 80) * SCALE, 82 + y * SCALE];
 
-/** Nothing that a hand draws is quite the mirror image of what it drew before. */
-export const BODY: readonly (readonly Point[])[] = [
-  alongPath('M80 22C66 22 60 34 58 50C55 76 46 88 36 106C22 132 22 168 44 180C56 186 68 187 80 187', place),
-  alongPath(
-    'M80 22C94 22 100 34 102 50C105 76 114 88 124 106C138 132 138 168 116 180C104 186 92 187 80 187',
-    place,
-  ),
+const stroke = (seed: number, points: readonly Point[], count: number): Point[] =>
+  trembling(smoothThrough(points.map(place), count), seed);
+
+/** Half widths of the pear at heights; nothing that a hand draws is quite the mirror image of what it drew before. */
+const LEFT: readonly Point[] = [
+  [80, 22],
+  [68, 26],
+  [60.5, 40],
+  [56.5, 60],
+  [47.5, 84],
+  [34.5, 111],
+  [26.5, 139],
+  [31, 165],
+  [50, 182],
+  [80, 187],
+];
+const RIGHT: readonly Point[] = [
+  [80, 22],
+  [92, 26],
+  [99.5, 40],
+  [103.5, 60],
+  [112.5, 85],
+  [126, 112],
+  [134, 140],
+  [129, 166],
+  [110, 182],
+  [80, 187],
 ];
 
+export const BODY: readonly (readonly Point[])[] = [stroke(1, LEFT, 70), stroke(2, RIGHT, 70)];
+
 export const STEM: readonly (readonly Point[])[] = [
-  alongPath('M76 27C75 17 79 8 88 1', place, 24),
-  alongPath('M86 27C86 18 90 11 97 6', place, 24),
+  stroke(
+    3,
+    [
+      [76, 27],
+      [76, 19],
+      [80, 9],
+      [88, 1],
+    ],
+    26,
+  ),
+  stroke(
+    4,
+    [
+      [86, 27],
+      [86.5, 20],
+      [90, 12],
+      [97, 6],
+    ],
+    26,
+  ),
 ];

@@ -65,20 +65,39 @@ export class PenDriver {
   }
 }
 
-/** Points along cubic Béziers written as in SVG: `M x y C …`, absolute. */
-export function alongPath(path: string, place: (p: Point) => Point, perCurve = 14): Point[] {
-  const numbers = path.match(/-?[\d.]+/g)!.map(Number);
-  const knots: Point[] = [];
-  for (let i = 0; i + 1 < numbers.length; i += 2) knots.push([numbers[i]!, numbers[i + 1]!]);
-  const points: Point[] = [place(knots[0]!)];
-  for (let k = 0; k + 3 < knots.length; k += 3) {
-    for (let i = 1; i <= perCurve; i++) points.push(place(bezier(knots.slice(k, k + 4), i / perCurve)));
-  }
-  return points;
+/** Evenly counted points of a curve through the given ones: Catmull–Rom, refined until its bends are smooth. */
+export function smoothThrough(points: readonly Point[], count: number): Point[] {
+  let line = [...points];
+  // Four-point subdivision: interpolating, and without the jumps of curvature that bands of light would show.
+  for (let level = 0; level < 6; level++)
+    line = line.flatMap((p, i) => (i + 1 < line.length ? [p, between(line, i)] : [p]));
+  for (let pass = 0; pass < 60; pass++)
+    line = line.map((p, i) => (i === 0 || i + 1 === line.length ? p : relaxed(line, i)));
+  return Array.from({ length: count }, (_, i) => line[Math.round((i * (line.length - 1)) / (count - 1))]!);
 }
 
-function bezier([a, b, c, d]: readonly Point[], t: number): Point {
-  const s = 1 - t;
-  const at = (i: 0 | 1) => s ** 3 * a![i] + 3 * s * s * t * b![i] + 3 * s * t * t * c![i] + t ** 3 * d![i];
+function between(line: readonly Point[], i: number): Point {
+  const mirror = (end: Point, next: Point): Point => [2 * end[0] - next[0], 2 * end[1] - next[1]];
+  const b = line[i]!;
+  const c = line[i + 1]!;
+  const a = line[i - 1] ?? mirror(b, c);
+  const d = line[i + 2] ?? mirror(c, b);
+  const at = (k: 0 | 1) => (9 * (b[k] + c[k]) - a[k] - d[k]) / 16;
   return [at(0), at(1)];
+}
+
+function relaxed(line: readonly Point[], i: number): Point {
+  const at = (k: 0 | 1) => (line[i - 1]![k] + 2 * line[i]![k] + line[i + 1]![k]) / 4;
+  return [at(0), at(1)];
+}
+
+/** A hand is never still: up to 0.4 px beside the line, the ends where they were meant. */
+export function trembling(line: readonly Point[], seed: number): Point[] {
+  let state = seed * 2654435761;
+  const random = () => {
+    state = (Math.imul(state, 1664525) + 1013904223) >>> 0;
+    return state / 2 ** 32 - 0.5;
+  };
+  const inner = (i: number) => (i === 0 || i + 1 === line.length ? 0 : 0.8);
+  return line.map(([x, y], i) => [x + inner(i) * random(), y + inner(i) * random()]);
 }

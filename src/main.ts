@@ -1,6 +1,10 @@
-/** The application: one element that fills the page. `?backend=webgl2` shows it as on a machine without WebGPU. */
+/**
+ * The application: one element that fills the page. `?backend=webgl2` shows it as on a machine without WebGPU,
+ * `?quality=fine` as for a picture.
+ */
 import './element/define.ts';
 
 const sketch = document.querySelector('rotund-sketch');
 const query = new URLSearchParams(location.search);
 if (sketch && query.get('backend') === 'webgl2') sketch.backend = 'webgl2';
+if (sketch && query.get('quality') === 'fine') sketch.quality = 'fine';

@@ -24,9 +24,7 @@ const general = quat.fromEuler([0, 0, 0, 1], -25, 35, 0) as unknown as Quat;
 test.describe('a cube in general view', () => {
   for (const pixelRatio of [1, 2, 3]) {
     for (const kernel of ['A', 'B', 'C', 'D'] as const) {
-      test(`shows exactly its 9 visible edges, kernel ${kernel}, pixel ratio ${pixelRatio}`, async ({
-        page,
-      }) => {
+      test(`shows exactly its 9 visible edges, kernel ${kernel}, pixel ratio ${pixelRatio}`, async () => {
         const image = await draw(page, {
           things: [{ form: { kind: 'cube', side: 100 } }],
           look: { ...LINES, kernel },

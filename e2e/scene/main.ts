@@ -47,13 +47,16 @@ declare global {
   }
 }
 
+// ?fine: lines at twice the resolution on a software adapter too, for pictures to look at
+const FINE = location.search === '?fine' ? { lineTexels: 9e6 } : {};
+
 const scenes = new Map<string, Promise<{ scene: Scene; canvas: HTMLCanvasElement }>>();
 
 function open(backend: 'auto' | 'webgl2') {
   let opened = scenes.get(backend);
   if (!opened) {
     const canvas = document.body.appendChild(document.createElement('canvas'));
-    opened = createScene(canvas, { backend }).then((scene) => ({ scene, canvas }));
+    opened = createScene(canvas, { backend, ...FINE }).then((scene) => ({ scene, canvas }));
     scenes.set(backend, opened);
   }
   return opened;

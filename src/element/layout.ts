@@ -206,10 +206,12 @@ export const layout = css`
     .hint ol { margin-top: 1.25rem; gap: 0.5rem; }
     .panel { left: 0.5rem; right: 0.5rem; width: auto; top: auto; bottom: 0; max-height: 70%; border-radius: 1rem 1rem 0 0; }
   }
-  @container (max-height: 560px) {
+  @container (max-height: 560px) and (min-width: 700px) {
     .hint { top: 5rem; }
     .hint ol { display: none; }
     .rail { max-height: calc(100% - 1rem); overflow-y: auto; scrollbar-width: none; }
+    .tray.name { visibility: hidden; }
+    .status { left: 5.5rem; }
   }
   :host([data-theme='contrast']) :is(.b.on, .meter [aria-current], .style[aria-checked='true']) { box-shadow: inset 0 0 0 3px var(--pencil); }
   :host([data-theme='contrast']) :is(.b.quiet, .segment) { box-shadow: inset 0 0 0 1.5px #000; }

@@ -24,6 +24,7 @@ export interface PointerTarget {
 
 const TAP = { milliseconds: 250, pixels: 10 } as const;
 const PALM_MILLISECONDS = 100;
+const PREDICTION_PIXELS = 40;
 
 interface Finger {
   x: number;
@@ -133,10 +134,10 @@ export class PointerRouter {
     const all = event.getCoalescedEvents?.() ?? [];
     const predicted = event.getPredictedEvents?.() ?? [];
     const pens = (all.length ? all : [event]).map((e) => this.#pen(e));
-    this.#target.move(
-      pens,
-      predicted.map((e) => this.#pen(e)),
-    );
+    const { x, y } = this.#at(event);
+    // After a pause of the page a prediction can shoot far ahead of the pen.
+    const near = (pen: Pen) => Math.hypot(pen.x - x, pen.y - y) < PREDICTION_PIXELS;
+    this.#target.move(pens, predicted.map((e) => this.#pen(e)).filter(near));
   }
 
   #angleBetween(a: Finger, b: Finger): number {

@@ -35,6 +35,9 @@ type Theme = 'light' | 'dark' | 'contrast';
 /** What the program draws on the paper is blue pencil, whatever the theme of the controls. */
 const PENCIL = { onLight: '#2b59c3', onDark: '#93b4ff' } as const;
 
+/** twice the resolution of a picture of 2400 × 1800 */
+const FINE_TEXELS = 18e6;
+
 /** px: cards this near to the pen step back */
 const NEAR = 48;
 
@@ -43,6 +46,7 @@ export class RotundSketch extends LitElement implements Actions {
   static override properties = {
     theme: { type: String, reflect: true },
     backend: { type: String },
+    quality: { type: String },
     open: { state: true },
     fingersDraw: { state: true },
   };
@@ -51,6 +55,8 @@ export class RotundSketch extends LitElement implements Actions {
   declare theme: Theme | null;
   /** `webgl2` never asks for WebGPU */
   declare backend: 'auto' | 'webgl2';
+  /** `fine` finds lines at twice the resolution on software adapters too: for pictures, where time is no matter */
+  declare quality: 'auto' | 'fine';
   declare open: PanelName | null;
   declare fingersDraw: boolean;
 
@@ -69,6 +75,7 @@ export class RotundSketch extends LitElement implements Actions {
     super();
     this.theme = null;
     this.backend = 'auto';
+    this.quality = 'auto';
     this.open = null;
     this.fingersDraw = true;
   }
@@ -116,7 +123,10 @@ export class RotundSketch extends LitElement implements Actions {
     try {
       const { createScene } = await import('../scene/index.ts');
       if (!this.isConnected) return;
-      const scene = await createScene(this.#find<HTMLCanvasElement>('.picture'), { backend: this.backend });
+      const scene = await createScene(this.#find<HTMLCanvasElement>('.picture'), {
+        backend: this.backend,
+        ...(this.quality === 'fine' ? { lineTexels: FINE_TEXELS } : {}),
+      });
       if (!this.isConnected) return scene.dispose();
       this.session.attach(scene);
       this.dataset.backend = scene.backend;

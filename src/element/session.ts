@@ -86,7 +86,7 @@ export class Session implements Bench, Viewport {
   commit(commands: readonly Command[]): void {
     for (const command of commands) {
       this.#say(command);
-      this.history = commands.length ? commit(this.history, command) : this.history;
+      this.history = commit(this.history, command);
     }
     this.update();
     if (commands.some(({ type }) => type === 'addStroke')) this.#sayPreview();

@@ -19,7 +19,8 @@ export interface InkColours {
 
 /** px; a mouse, which has no pressure, draws at 0.5 */
 const WIDTH = { least: 1.4, most: 4.4 } as const;
-const STEPS = 96;
+/** px between the points a dried stroke is drawn through, and how many there are at least and at most */
+const STEP = { pixels: 3, least: 48, most: 1500 } as const;
 
 interface Dot {
   readonly x: number;
@@ -49,28 +50,60 @@ export function drawInk(
 function dried(stroke: Stroke, { document, view, size }: Session): Dot[] {
   const curve = curveOfStroke(stroke, document.brush);
   if (!curve) return [];
+  const pixels = (curve.length * size.height) / view.height;
+  const steps = Math.round(Math.min(STEP.most, Math.max(STEP.least, pixels / STEP.pixels)));
   const dots: Dot[] = [];
-  for (let i = 0; i <= STEPS; i++) {
-    const u = i / STEPS;
+  for (let i = 0; i <= steps; i++) {
+    const u = i / steps;
     const p = project(view, size, toWorld(stroke.plane, curve.point(u)));
     if (p) dots.push({ x: p[0], y: p[1], pressure: curve.pressure(u) });
   }
   return dots;
 }
 
-/** Segments as wide as the pen was pressed there; round caps hide their joints. */
+/** One filled outline, as wide as the pen was pressed: overlapping strokes would show their joints as beads. */
 function drawLine(context: CanvasRenderingContext2D, dots: readonly Dot[], colour: string): void {
-  context.strokeStyle = colour;
-  context.lineCap = 'round';
-  for (let i = 1; i < dots.length; i++) {
-    const a = dots[i - 1]!;
-    const b = dots[i]!;
-    context.lineWidth = WIDTH.least + ((WIDTH.most - WIDTH.least) * (a.pressure + b.pressure)) / 2;
-    context.beginPath();
-    context.moveTo(a.x, a.y);
-    context.lineTo(b.x, b.y);
-    context.stroke();
+  const line = dots.filter((dot, i) => i === 0 || distance(dot, dots[i - 1]) > 0.01);
+  const first = line[0];
+  const last = line.at(-1);
+  if (!first || !last) return;
+  context.fillStyle = colour;
+  context.beginPath();
+  const left = line.map((_, i) => offset(line, i, 1));
+  const right = line.map((_, i) => offset(line, i, -1));
+  for (const [x, y] of [...left, ...right.reverse()]) context.lineTo(x, y);
+  context.closePath();
+  // Round ends, drawn the same way round as the outline may run either way: non-zero winding fills both.
+  for (const end of [first, last]) {
+    context.moveTo(end.x + halfWidth(end), end.y);
+    context.arc(end.x, end.y, halfWidth(end), 0, 2 * Math.PI);
   }
+  context.fill();
+  if (line.length > 2) drawBends(context, line);
+}
+
+/** At a sharp bend the outline is cut off on its outer side: a disc rounds it. */
+function drawBends(context: CanvasRenderingContext2D, line: readonly Dot[]): void {
+  for (let i = 1; i + 1 < line.length; i++) {
+    const [a, b, c] = [line[i - 1]!, line[i]!, line[i + 1]!];
+    const cosine = (b.x - a.x) * (c.x - b.x) + (b.y - a.y) * (c.y - b.y);
+    if (cosine > 0.7 * distance(a, b) * distance(b, c)) continue;
+    context.beginPath();
+    context.arc(b.x, b.y, halfWidth(b), 0, 2 * Math.PI);
+    context.fill();
+  }
+}
+
+const halfWidth = ({ pressure }: Dot) => (WIDTH.least + (WIDTH.most - WIDTH.least) * pressure) / 2;
+
+/** A point of the outline beside dot i; `side` 1 is the left one. */
+function offset(line: readonly Dot[], i: number, side: 1 | -1): Vec2 {
+  const a = line[Math.max(0, i - 1)]!;
+  const b = line[Math.min(line.length - 1, i + 1)]!;
+  const dot = line[i]!;
+  const length = distance(a, b) || 1;
+  const width = (side * halfWidth(dot)) / length;
+  return [dot.x + (b.y - a.y) * width, dot.y - (b.x - a.x) * width];
 }
 
 function drawWet(
@@ -108,7 +141,7 @@ function drawAxis(context: CanvasRenderingContext2D, left: Dot[], right: Dot[], 
   const crossed = distance(left[0], right.at(-1)) + distance(left.at(-1), right[0]);
   const other = same <= crossed ? right : [...right].reverse();
   const middle = left.flatMap((a, i): Vec2[] => {
-    const b = other[i];
+    const b = other[Math.round((i * (other.length - 1)) / Math.max(1, left.length - 1))];
     return b ? [[(a.x + b.x) / 2, (a.y + b.y) / 2]] : [];
   });
   context.globalAlpha = 0.55;

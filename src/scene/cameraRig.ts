@@ -24,6 +24,7 @@ import {
 import type { Quat, Vec3 } from '../math/vec.ts';
 import type { Box } from '../mesh/mesh.ts';
 import type { View } from '../stroke/stroke.ts';
+import { project } from './projection.ts';
 import {
   axes,
   type Ball,
@@ -249,34 +250,10 @@ export class CameraRig {
     return height / (2 * Math.tan((this.#perspective.fov * Math.PI) / 360));
   }
 
-  /** The projection: framing from the distance, near and far around the scene and the pivot. */
   #project(): void {
     const { pivot, height } = this.view();
-    const distance = this.#distance(height);
-    const aspect = this.#width / this.#height;
-    const camera = this.camera;
-    camera.updateMatrixWorld();
-    const [near, far] = this.#depths(pivot, distance);
-    if (camera === this.#orthographic) {
-      camera.top = height / 2;
-      camera.bottom = -camera.top;
-      camera.right = camera.top * aspect;
-      camera.left = -camera.right;
-      // An orthographic camera may stand amid the scene.
-      camera.near = near;
-    } else {
-      this.#perspective.aspect = aspect;
-      camera.near = Math.max(near, far * 1e-4);
-    }
-    camera.far = far;
-    camera.updateProjectionMatrix();
-  }
-
-  #depths(pivot: Vec3, distance: number): readonly [near: number, far: number] {
-    const ball = this.#ball ?? { centre: pivot, radius: FRONT_VIEW.height };
-    const middle = -new Vector3(...ball.centre).applyMatrix4(this.camera.matrixWorldInverse).z;
-    const air = 0.01 * ball.radius + 0.01;
-    return [Math.min(middle - ball.radius, distance) - air, Math.max(middle + ball.radius, distance) + air];
+    const framing = { pivot, height, distance: this.#distance(height), aspect: this.#width / this.#height };
+    project(this.camera, framing, this.#ball);
   }
 }
 

@@ -16,16 +16,14 @@ import type { Scene as ThreeScene, WebGPURenderer } from 'three/webgpu';
 import { type Camera, Color, type NodeMaterial, QuadMesh, type RenderTarget, Vector2 } from 'three/webgpu';
 import type { View } from '../stroke/stroke.ts';
 import { Grid } from './grid.ts';
-import { edgeMaterial, type Kernel, LineUniforms, lineMaterial } from './hbed.ts';
-import { InkUniforms, inkMaterial } from './ink.ts';
-import { DEFAULT_LOOK, displayRgb, isDark, type Look, lineColour, PAPER_COLOUR, type Style } from './look.ts';
-import { PageUniforms, pageMaterial } from './page.ts';
+import { type Kernel, LineUniforms } from './hbed.ts';
+import { InkUniforms } from './ink.ts';
+import { DEFAULT_LOOK, displayRgb, isDark, type Look, lineColour, PAPER_COLOUR } from './look.ts';
+import { Materials } from './materials.ts';
+import { PageUniforms } from './page.ts';
 import { GRAIN, makeGrain } from './paper.ts';
 import { Parts } from './part.ts';
-import { previewMaterial } from './preview.ts';
-import { gouraudMaterial, phongMaterial } from './shading.ts';
 import { makeTargets } from './targets.ts';
-import { occluderMaterial, toonMaterial, wireMaterial } from './toon.ts';
 
 /** Lines are found at up to this many texels a CSS pixel, at most twice the screen's resolution, … */
 const LINE_DENSITY = 4;
@@ -49,8 +47,7 @@ export class Pipeline {
   readonly #page = new PageUniforms();
   readonly #targets = makeTargets();
   readonly #grain: RenderTarget;
-  // made when first used, kept for the life of the scene
-  readonly #materials = new Map<string, NodeMaterial>();
+  readonly #materials: Materials;
   readonly #quad: QuadMesh;
   readonly #lineTexels: number;
   readonly #size = new Vector2(1, 1);
@@ -61,19 +58,10 @@ export class Pipeline {
     this.#renderer = renderer;
     this.#lineTexels = lineTexels;
     this.#grain = makeGrain(renderer);
-    const fill = this.#fill('toon');
-    this.parts = new Parts(
-      {
-        line: this.#once('lines', () => lineMaterial(this.#lines)),
-        occluder: this.#once('occluder', occluderMaterial),
-        wire: this.#once('wire', () => wireMaterial(this.#page.line)),
-        preview: this.#once('preview', () =>
-          previewMaterial(this.#targets.edges.texture, this.#lines, this.#page),
-        ),
-      },
-      fill,
-    );
-    this.#quad = new QuadMesh(fill);
+    const uniforms = { lines: this.#lines, ink: this.#ink, page: this.#page };
+    this.#materials = new Materials(uniforms, this.#targets, this.#grain.texture);
+    this.parts = new Parts(this.#materials, this.#materials.fill('toon'));
+    this.#quad = new QuadMesh(this.#materials.occluder);
     this.parts.colour.add(this.#grid.mesh);
     this.setLook(DEFAULT_LOOK);
   }
@@ -90,7 +78,7 @@ export class Pipeline {
     this.#lines.overlaps.value = look.overlaps;
     this.#grid.setColour(ink);
     this.#grid.mesh.visible = look.grid;
-    this.parts.setFill(this.#fill(look.style));
+    this.parts.setFill(this.#materials.fill(look.style));
     this.parts.setWireframe(look.wireframe);
     this.#scaleLines();
   }
@@ -119,10 +107,10 @@ export class Pipeline {
     this.#measure(camera, view);
     this.#page.lined.value = kernel ? 1 : 0;
     if (kernel) this.#draw(this.parts.lines, camera, lines, NO_NORMAL, FAR);
-    if (kernel) this.#cover(this.#edges(kernel), edges);
+    if (kernel) this.#cover(this.#materials.edges(kernel), edges);
     if (fills) this.#draw(this.parts.colour, camera, colour, CLEAR, NOTHING);
     if (this.parts.hasPreview) this.#draw(this.parts.preview, camera, preview, CLEAR, NOTHING);
-    this.#cover(this.#sheet(kernel !== null, fills, this.parts.hasPreview), null);
+    this.#cover(this.#materials.page(kernel !== null, fills, this.parts.hasPreview), null);
   }
 
   dispose(): void {
@@ -130,7 +118,7 @@ export class Pipeline {
     this.#grid.dispose();
     this.#grain.dispose();
     for (const target of Object.values(this.#targets)) target.dispose();
-    for (const material of this.#materials.values()) material.dispose();
+    this.#materials.dispose();
   }
 
   #draw(scene: ThreeScene, camera: Camera, target: RenderTarget, clear: Color, alpha: number): void {
@@ -182,44 +170,5 @@ export class Pipeline {
     // the corner of four: ¾ gives (1, 3, 3, 1)/8.
     const reach = 0.25 + 0.25 * scale;
     this.#page.tent.value.set(reach / width, reach / height);
-  }
-
-  #fill(style: Style): NodeMaterial {
-    switch (style) {
-      case 'toon':
-        return this.#once(style, toonMaterial);
-      case 'gouraud':
-        return this.#once(style, gouraudMaterial);
-      case 'phong':
-        return this.#once(style, phongMaterial);
-      case 'hbed-ink':
-        return this.#once(style, () => inkMaterial(this.#ink));
-      case 'hbed-lines':
-        return this.#once('occluder', occluderMaterial);
-    }
-  }
-
-  #edges(kernel: Kernel): NodeMaterial {
-    return this.#once(`edges ${kernel}`, () =>
-      edgeMaterial(this.#targets.lines.texture, this.#lines, kernel),
-    );
-  }
-
-  #sheet(lines: boolean, fills: boolean, previews: boolean): NodeMaterial {
-    const { edges, colour, preview } = this.#targets;
-    return this.#once(`page ${lines} ${fills} ${previews}`, () =>
-      pageMaterial(this.#page, {
-        grain: this.#grain.texture,
-        colour: fills ? colour.texture : null,
-        edges: lines ? edges.texture : null,
-        preview: previews ? preview.texture : null,
-      }),
-    );
-  }
-
-  #once(name: string, make: () => NodeMaterial): NodeMaterial {
-    const made = this.#materials.get(name) ?? make();
-    this.#materials.set(name, made);
-    return made;
   }
 }

@@ -14,6 +14,8 @@ import {
 /** Samples a pixel of what has edges of triangles in it. */
 const SAMPLES = 4;
 
+export type Targets = ReturnType<typeof makeTargets>;
+
 export function makeTargets() {
   return {
     // normals and depth: 11 bits are finer than any threshold, and nearest texels only

@@ -37,7 +37,7 @@ export const BAND_STEP = 0.2;
 const HIGHLIGHT_THRESHOLD = 0.8;
 /** how far the highlight goes from the lit colour to white: a tint, not a hole in the picture */
 const HIGHLIGHT_WHITE = 0.75;
-const WIRE_OPACITY = 0.35;
+const WIRE_OPACITY = 0.25;
 
 /** 0 below the threshold, 1 above, a ramp of one pixel between. */
 export function pixelStep(value: Node<'float'>, threshold: number): Node<'float'> {

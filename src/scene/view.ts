@@ -79,12 +79,14 @@ export function fitted(view: View, box: Box, aspect: number): View {
   const pivot = vec3.lerp([0, 0, 0], box.min, box.max, 0.5) as unknown as Vec3;
   // tangent of half the opening; 0 is orthographic
   const slope = Math.tan((view.fov * Math.PI) / 360);
+  // Seen edge-on a box still gets room for a tenth of its size, so that no corner comes to lie in the eye.
+  const least = vec3.distance(box.min, box.max) / 10;
   let height = 0;
   for (const corner of corners(box)) {
     const from = vec3.subtract([0, 0, 0], corner, pivot) as unknown as Vec3;
-    const reach = 2 * Math.max(Math.abs(vec3.dot(from, up)), Math.abs(vec3.dot(from, right)) / aspect);
+    const half = Math.max(Math.abs(vec3.dot(from, up)), Math.abs(vec3.dot(from, right)) / aspect);
     // A corner nearer than the pivot appears larger by what the opening spans over that distance.
-    height = Math.max(height, reach / FILL + 2 * slope * vec3.dot(from, back));
+    height = Math.max(height, Math.max(2 * half, least) / FILL + 2 * slope * vec3.dot(from, back));
   }
   return { ...view, pivot, height: height > LEAST_FIT ? height : FRONT_VIEW.height };
 }

@@ -123,7 +123,8 @@ function knot(basis: Basis, j: number): number {
   return basis.closed ? value : Math.min(Math.max(value, 0), spanCount(basis));
 }
 
-function deBoorWeights(basis: Basis, span: number, t: number): number[] {
+/** The weights of one span's polynomials at any t, also beyond the span. */
+export function deBoorWeights(basis: Basis, span: number, t: number): number[] {
   const weights = [1];
   for (let d = 1; d <= basis.degree; d++) {
     let carried = 0;
@@ -155,7 +156,13 @@ function blossom(points: readonly Vec2[], basis: Basis, span: number, args: read
   return work[0]!;
 }
 
-function combine(points: readonly Vec2[], basis: Basis, span: number, weights: readonly number[]): Vec2 {
+/** Σ weights · controls of a span. */
+export function combine(
+  points: readonly Vec2[],
+  basis: Basis,
+  span: number,
+  weights: readonly number[],
+): Vec2 {
   let x = 0;
   let y = 0;
   weights.forEach((w, k) => {

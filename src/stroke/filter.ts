@@ -2,7 +2,7 @@
  * From what the pen reported to the control points of a smooth stroke: the one pipeline all strokes pass.
  *
  * Theory: the thesis, chapter 4: a B-spline of few control points, found by reversing subdivision three times.
- * Departures: least squares by default (`leastSquares.ts` has the numbers); steps measured in length, not in samples;
+ * Departures: fair least squares by default (`leastSquares.ts` and `fair.ts` have the numbers); steps measured in length, not in samples;
  * hooks, closing and corners, which the thesis leaves out; short strokes are resampled finer instead of being reduced
  * to a handful of points (a half circle of 34 samples and three levels leaves 6 control points, and the sphere made of
  * it 2 % too large).
@@ -12,9 +12,9 @@ import type { Degree } from './bspline.ts';
 import { clean } from './clean.ts';
 import { CLOSED_TOLERANCE, isClosed, joinEnds } from './closed.ts';
 import { findCorners } from './corners.ts';
+import { fitFair } from './fair.ts';
 import { fillGaps } from './gaps.ts';
 import { removeHooks } from './hooks.ts';
-import { fitLeastSquares } from './leastSquares.ts';
 import { between, type Ink, type Path, pathOf, toVec } from './path.ts';
 import { pressureProfile } from './pressure.ts';
 import { resample } from './resample.ts';
@@ -22,7 +22,7 @@ import { reverseLevels } from './reverse.ts';
 import type { Sample } from './stroke.ts';
 import { fineCount } from './subdivide.ts';
 
-/** 'chaikin' and 'cubic' reverse subdivision as the thesis does; 'cubic' makes degree 3, the others 2 */
+/** 'chaikin' and 'cubic' reverse subdivision as the thesis does; 'chaikin' makes degree 2, the others 3 */
 export type FilterKind = 'least-squares' | 'chaikin' | 'cubic';
 
 export interface FilterOptions {
@@ -58,6 +58,8 @@ const FEWEST_STEPS = 96;
 const STEPS_PER_GRAIN = 1.5;
 /** 100 m of stroke at the default grain; longer ones get longer steps */
 const MOST_FINE_POINTS = 1 << 17;
+/** a level of smoothing may move the curve by this much: a quarter of a millimetre, one pixel, at three levels */
+const FAIR_GRAINS = 0.08;
 /** a tremble of one pixel to either side, at four pixels a grain */
 const REST_GRAINS = 0.4;
 
@@ -72,13 +74,15 @@ export function filterStroke(samples: readonly Sample[], options: FilterOptions)
   const corners = (options.corners ?? true) ? findCorners(path, grain) : [];
   const periodic = path.closed && corners.length === 0;
   return {
-    degree: options.filter === 'cubic' ? 3 : 2,
+    degree: degreeOf(options),
     closed: path.closed,
     periodic,
     pieces: split(path, corners).map((points) => fitPiece(points, periodic, options, grain)),
     pressure: pressureProfile(path, corners[0] ?? 0),
   };
 }
+
+const degreeOf = ({ filter }: FilterOptions): Degree => (filter === 'chaikin' ? 2 : 3);
 
 function shouldClose(path: Path, closed: boolean | 'auto'): boolean {
   // two points enclose nothing
@@ -103,14 +107,15 @@ function fitPiece(
   options: FilterOptions,
   grain: number,
 ): readonly Vec2[] {
-  const degree = options.filter === 'cubic' ? 3 : 2;
+  const degree = degreeOf(options);
   const drawn = pathOf(points, periodic);
   const step = Math.min(grain / STEPS_PER_GRAIN, drawn.length / FEWEST_STEPS);
   const even = evenPath(pathOf(fillGaps(points, periodic, step), periodic), step);
   const count = controlCount(even.length, grain, options.levels);
   const fine = resample(even, fineCount(count, degree, periodic, options.levels)).map(toVec);
   if (options.levels === 0) return fine;
-  if (options.filter === 'least-squares') return fitLeastSquares(fine, degree, periodic, count);
+  if (options.filter === 'least-squares')
+    return fitFair(fine, periodic, count, FAIR_GRAINS * options.levels * grain);
   return reverseLevels(fine, degree, periodic, options.levels);
 }
 

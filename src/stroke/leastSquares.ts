@@ -9,21 +9,24 @@
  */
 import { solveBanded, solveCyclicBanded } from '../math/banded.ts';
 import type { Vec2 } from '../math/vec.ts';
-import { type Basis, controlIndex, type Degree, spanCount, weightsAt } from './bspline.ts';
+import { type Basis, controlIndex, type Degree, deBoorWeights, spanCount, weightsAt } from './bspline.ts';
 
 /**
  * `count` control points fitted to even points (`fine.length` ≥ `count`). Open: the first and last are the fine ones.
- * RangeError when the points cannot determine them.
+ * `stiffness` ≥ 0 weighs ∫|c‴|² against the points (degree 3; `fair.ts` chooses it). RangeError when the points
+ * cannot determine the controls.
  */
 export function fitLeastSquares(
   fine: readonly Vec2[],
   degree: Degree,
   closed: boolean,
   count: number,
+  stiffness = 0,
 ): Vec2[] {
   if (fine.length < count) throw new RangeError(`${fine.length} points cannot determine ${count}`);
   const basis: Basis = { degree, closed, count };
   const system = normalEquations(fine, basis);
+  if (stiffness > 0) stiffen(system.rows, basis, (stiffness * fine.length) / spanCount(basis));
   if (closed) return zip(solveCyclicBanded(system.rows, [system.x, system.y]));
   return pinned(system, fine, degree);
 }
@@ -51,6 +54,18 @@ function normalEquations(fine: readonly Vec2[], basis: Basis): System {
     }
   });
   return { rows, x, y };
+}
+
+/** Adds weight × ∫|c‴|²: a cubic's third derivative is one number a span, found exactly by third differences. */
+function stiffen(rows: number[][], basis: Basis, weight: number): void {
+  for (let span = 0; span < spanCount(basis); span++) {
+    const at = [0, 1, 2, 3].map((k) => deBoorWeights(basis, span, span + k / 3));
+    const third = at[0]!.map((w, a) => 27 * (at[3]![a]! - 3 * at[2]![a]! + 3 * at[1]![a]! - w));
+    for (let a = 0; a < third.length; a++) {
+      const row = rows[controlIndex(basis, span, a)]!;
+      for (let d = 0; d <= a; d++) row[d]! += weight * third[a]! * third[a - d]!;
+    }
+  }
 }
 
 /** The system without its first and last unknown, which are known. */

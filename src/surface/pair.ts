@@ -176,7 +176,7 @@ function gapAt(raw: Pair['at'], length: number, end: 0 | 1): Gap | null {
 function closeGap(section: Section, { end, over, left, right }: Gap, u: number): Section {
   const t = Math.abs(u - end) / over;
   if (t >= 1) return section;
-  const weight = (1 - t) ** 2;
+  const weight = (1 - t) * (1 - t);
   const slope = ((end === 0 ? -2 : 2) * (1 - t)) / over;
   return {
     left: add2(section.left, scale2(left, weight)),

@@ -86,7 +86,7 @@ describe('filterStroke', () => {
             [0, 0.1, 0.4, 0.45, 0.9, 1].map((t): Vec2 => [t * length, 3 * t * length]),
           );
           const filtered = filterStroke(samples, { filter, levels })!;
-          expect(filtered.degree).toBe(filter === 'cubic' ? 3 : 2);
+          expect(filtered.degree).toBe(filter === 'chaikin' ? 2 : 3);
           expect(filtered.pieces).toHaveLength(1);
           expect(filtered.pieces[0]!.length).toBeGreaterThanOrEqual(FEWEST_CONTROLS);
           const c = curveOf(filtered);

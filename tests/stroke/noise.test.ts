@@ -2,6 +2,7 @@
 import { describe, expect, test } from 'vitest';
 import type { Vec2 } from '../../src/math/vec.ts';
 import { type Degree, splinePoint } from '../../src/stroke/bspline.ts';
+import { fitFair } from '../../src/stroke/fair.ts';
 import { fitLeastSquares } from '../../src/stroke/leastSquares.ts';
 import { reverseLevels } from '../../src/stroke/reverse.ts';
 import { fineCount } from '../../src/stroke/subdivide.ts';
@@ -10,6 +11,7 @@ import { normal } from '../fixtures/random.ts';
 const CONTROLS = 400;
 const filters = {
   'least-squares': { degree: 2, fit: (fine: readonly Vec2[]) => fitLeastSquares(fine, 2, false, CONTROLS) },
+  fair: { degree: 3, fit: (fine: readonly Vec2[]) => fitFair(fine, false, CONTROLS, 10) },
   chaikin: {
     degree: 2,
     fit: (fine: readonly Vec2[], levels: number) => reverseLevels(fine, 2, false, levels),
