@@ -1,60 +1,55 @@
 /** The thesis' pear: two strokes for the body, two for the stem, as a hand would draw them in an 800 × 600 picture. */
-import { type Point, smoothThrough, trembling } from './pen.ts';
+import { type Point, splineThrough, trembling } from './pen.ts';
 
 /** In a square of 160 × 200, to be placed in the picture. */
 const SCALE = 2.1;
 const place = ([x, y]: Point): Point => [400 + (x - 80) * SCALE, 82 + y * SCALE];
 
-const stroke = (seed: number, points: readonly Point[], count: number): Point[] =>
-  trembling(smoothThrough(points.map(place), count), seed);
-
-/** Half widths of the pear at heights; nothing that a hand draws is quite the mirror image of what it drew before. */
-const LEFT: readonly Point[] = [
-  [80, 22],
-  [68, 26],
-  [60.5, 40],
-  [56.5, 60],
-  [47.5, 84],
-  [34.5, 111],
-  [26.5, 139],
-  [31, 165],
-  [50, 182],
-  [80, 187],
+/** Control polygon: down the left side from the top, up the right one. Nothing that a hand draws is quite its mirror image. */
+const OUTLINE: readonly Point[] = [
+  [80, 20],
+  [62, 24],
+  [57, 58],
+  [48, 88],
+  [24, 118],
+  [20, 158],
+  [44, 188],
+  [80, 189],
+  [116, 188],
+  [141, 158],
+  [136, 119],
+  [112, 89],
+  [103, 58],
+  [98, 24],
 ];
-const RIGHT: readonly Point[] = [
-  [80, 22],
-  [92, 26],
-  [99.5, 40],
-  [103.5, 60],
-  [112.5, 85],
-  [126, 112],
-  [134, 140],
-  [129, 166],
-  [110, 182],
-  [80, 187],
+const BOTTOM = 7;
+
+const STEM_LEFT: readonly Point[] = [
+  [76, 29],
+  [76, 27],
+  [75, 17],
+  [81, 8],
+  [88, 1],
+  [90, -1],
+];
+const STEM_RIGHT: readonly Point[] = [
+  [86, 29],
+  [86, 27],
+  [86, 19],
+  [90, 12],
+  [97, 6],
+  [99, 4],
 ];
 
-export const BODY: readonly (readonly Point[])[] = [stroke(1, LEFT, 70), stroke(2, RIGHT, 70)];
+const stroke = (seed: number, polygon: readonly Point[], from: number, to: number, count: number): Point[] =>
+  trembling(splineThrough(polygon.map(place), from, to, count), seed);
+
+export const BODY: readonly (readonly Point[])[] = [
+  stroke(1, OUTLINE, 0, BOTTOM, 70),
+  stroke(2, OUTLINE, OUTLINE.length, BOTTOM, 70),
+];
 
 export const STEM: readonly (readonly Point[])[] = [
-  stroke(
-    3,
-    [
-      [76, 27],
-      [76, 19],
-      [80, 9],
-      [88, 1],
-    ],
-    26,
-  ),
-  stroke(
-    4,
-    [
-      [86, 27],
-      [86.5, 20],
-      [90, 12],
-      [97, 6],
-    ],
-    26,
-  ),
+  stroke(3, STEM_LEFT, 1, 4, 26),
+  stroke(4, STEM_RIGHT, 1, 4, 26),
 ];

@@ -65,30 +65,21 @@ export class PenDriver {
   }
 }
 
-/** Evenly counted points of a curve through the given ones: Catmull–Rom, refined until its bends are smooth. */
-export function smoothThrough(points: readonly Point[], count: number): Point[] {
-  let line = [...points];
-  // Four-point subdivision: interpolating, and without the jumps of curvature that bands of light would show.
-  for (let level = 0; level < 6; level++)
-    line = line.flatMap((p, i) => (i + 1 < line.length ? [p, between(line, i)] : [p]));
-  for (let pass = 0; pass < 60; pass++)
-    line = line.map((p, i) => (i === 0 || i + 1 === line.length ? p : relaxed(line, i)));
-  return Array.from({ length: count }, (_, i) => line[Math.round((i * (line.length - 1)) / (count - 1))]!);
-}
-
-function between(line: readonly Point[], i: number): Point {
-  const mirror = (end: Point, next: Point): Point => [2 * end[0] - next[0], 2 * end[1] - next[1]];
-  const b = line[i]!;
-  const c = line[i + 1]!;
-  const a = line[i - 1] ?? mirror(b, c);
-  const d = line[i + 2] ?? mirror(c, b);
-  const at = (k: 0 | 1) => (9 * (b[k] + c[k]) - a[k] - d[k]) / 16;
-  return [at(0), at(1)];
-}
-
-function relaxed(line: readonly Point[], i: number): Point {
-  const at = (k: 0 | 1) => (line[i - 1]![k] + 2 * line[i]![k] + line[i + 1]![k]) / 4;
-  return [at(0), at(1)];
+/**
+ * `count` points of the cubic B-spline of a control polygon, from knot `from` to knot `to`: curvature without jumps,
+ * as a practised hand draws, because bands of light show every jump.
+ */
+export function splineThrough(polygon: readonly Point[], from: number, to: number, count: number): Point[] {
+  const n = polygon.length;
+  return Array.from({ length: count }, (_, k) => {
+    const t = from + ((to - from) * k) / (count - 1);
+    const i = Math.floor(t);
+    const s = t - i;
+    const weights = [(1 - s) ** 3, 3 * s ** 3 - 6 * s ** 2 + 4, -3 * s ** 3 + 3 * s ** 2 + 3 * s + 1, s ** 3];
+    const at = (axis: 0 | 1) =>
+      weights.reduce((sum, w, j) => sum + (w / 6) * polygon[(i + j - 1 + 2 * n) % n]![axis], 0);
+    return [at(0), at(1)];
+  });
 }
 
 /** A hand is never still: up to 0.4 px beside the line, the ends where they were meant. */

@@ -14,7 +14,7 @@ import { type Basis, combine, spanCount, weightsAt } from './bspline.ts';
 import { fitLeastSquares } from './leastSquares.ts';
 
 /** The curve may move by this many times the tremble: less leaves wobble, more rounds what was meant. */
-const TREMBLES = 2;
+const TREMBLES = 3;
 /** Powers of two tried for λ: a factor of two in λ moves a wave's damping little. Integer powers are exact in every engine. */
 const POWERS = { from: -14, to: 17 } as const;
 
