@@ -29,6 +29,6 @@ export default defineConfig({
   projects: [
     { name: 'chromium' },
     { name: 'pictures', testMatch: '**/pictures/*.make.ts' },
-    { name: 'bench', testMatch: '**/bench/*.bench.ts' },
+    { name: 'bench', testMatch: '**/bench/*.time.ts' },
   ],
 });

@@ -88,8 +88,8 @@ export class Session implements Bench, Viewport {
       this.#say(command);
       this.history = commit(this.history, command);
     }
-    this.update();
     if (commands.some(({ type }) => type === 'addStroke')) this.#sayPreview();
+    this.update();
   }
 
   #say(command: Command): void {
@@ -108,7 +108,10 @@ export class Session implements Bench, Viewport {
 
   #sayPreview(): void {
     const kind = readingOf(this.document);
-    if (kind) this.said = draftSolids(this.document).length ? WORDS.preview(kind) : WORDS.noSurface;
+    if (!kind) return;
+    this.said = WORDS.preview(kind);
+    const built = this.#solids().some(({ preview }) => preview);
+    if (!built && this.said !== WORDS.failed) this.said = WORDS.noSurface;
   }
 
   keep(): void {
@@ -294,14 +297,19 @@ export class Session implements Bench, Viewport {
 
   #sync(): void {
     this.#stale = false;
-    const start = performance.now();
-    const items = this.#solids().map(({ solid, preview }) => ({ ...solid, preview }));
-    const took = performance.now() - start;
-    if (took > 0.2) this.buildTime = took;
-    this.scene?.sync(items);
+    this.scene?.sync(this.#solids().map(({ solid, preview }) => ({ ...solid, preview })));
   }
 
   #solids(): { solid: Solid; preview: boolean }[] {
+    const start = performance.now();
+    const found = this.#build();
+    const took = performance.now() - start;
+    // Less is a look into the cache.
+    if (took > 0.5) this.buildTime = took;
+    return found;
+  }
+
+  #build(): { solid: Solid; preview: boolean }[] {
     try {
       const shown = this.shown();
       const kept = solids(shown).map((solid) => ({ solid, preview: false }));
