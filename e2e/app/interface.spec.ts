@@ -3,6 +3,7 @@ import AxeBuilder from '@axe-core/playwright';
 import { expect, type Page, test } from '@playwright/test';
 import { BODY } from '../pear.ts';
 import { PenDriver, type Point } from '../pen.ts';
+import { takePicture } from '../picture.ts';
 
 const STROKE: readonly Point[] = Array.from({ length: 30 }, (_, i) => [300, 180 + 8 * i]);
 const OTHER: readonly Point[] = STROKE.map(([x, y]) => [x + 160, y]);
@@ -276,3 +277,28 @@ test('without WebGPU three’s WebGL2 backend draws the same, and the status lin
   await expect(page.locator('.status')).toContainText('WebGL2, slower');
   expect((await drawing(page)).parts).toBe(1);
 });
+
+for (const moment of ['between strokes', 'in mid-stroke']) {
+  test(`a lost device loses nothing, ${moment}`, async ({ page }) => {
+    await open(page);
+    const pen = await PenDriver.on(page);
+    await pen.draw(STROKE);
+    if (moment === 'in mid-stroke') await pen.trace(OTHER);
+    await page.evaluate(async () => {
+      const { session } = document.querySelector('rotund-sketch')!;
+      const before = session.scene!;
+      before.device!.destroy();
+      await before.lost;
+      const renewed = () => session.scene !== null && session.scene !== before;
+      while (!renewed()) await new Promise(requestAnimationFrame);
+    });
+    await expect(page.locator('rotund-sketch')).toHaveAttribute('data-backend', 'WebGPU');
+    if (moment === 'in mid-stroke') await pen.up(OTHER.at(-1)!);
+    else await pen.draw(OTHER);
+    await expect.poll(async () => (await drawing(page)).strokes).toBe(2);
+    await page.getByRole('button', { name: 'Keep' }).click();
+    const picture = await takePicture(page);
+    const [r, g, b] = picture.at(380, 300);
+    expect(Math.max(r, g, b) - Math.min(r, g, b)).toBeGreaterThan(60);
+  });
+}

@@ -98,11 +98,11 @@ export class RotundSketch extends LitElement implements Actions {
     ])
       matchMedia(query).addEventListener('change', () => this.#adapt(), { signal });
     this.addEventListener('keydown', (event) => this.#key(event), { signal });
-    if (this.hasUpdated) void this.#start();
+    if (this.hasUpdated) this.#start();
   }
 
   protected override firstUpdated(): void {
-    void this.#start();
+    this.#start();
   }
 
   override disconnectedCallback(): void {
@@ -113,13 +113,17 @@ export class RotundSketch extends LitElement implements Actions {
     this.session.detach();
   }
 
-  async #start(): Promise<void> {
+  #start(): void {
     const stage = this.#find<HTMLElement>('.stage');
     this.#router = new PointerRouter(stage, this.#pointerTarget());
     this.#sizes = new ResizeObserver(() => this.#resize());
     this.#sizes.observe(stage);
     this.#adapt();
     this.#resize();
+    void this.#openScene();
+  }
+
+  async #openScene(): Promise<void> {
     try {
       const { createScene } = await import('../scene/index.ts');
       if (!this.isConnected) return;
@@ -131,7 +135,9 @@ export class RotundSketch extends LitElement implements Actions {
       this.session.attach(scene);
       this.dataset.backend = scene.backend;
       if (scene.backend === 'WebGL2') this.session.said = WORDS.webgl2;
-      void scene.lost.then(() => this.#lost());
+      void scene.lost.then(() => {
+        if (this.session.scene === scene) void this.#renewScene();
+      });
       this.#adapt();
       this.#resize();
       this.dispatchEvent(new Event('ready'));
@@ -143,22 +149,18 @@ export class RotundSketch extends LitElement implements Actions {
     }
   }
 
-  /** The strokes are the truth and none of them is on the device: a new scene shows them again. */
-  async #lost(): Promise<void> {
-    if (!this.isConnected) return;
-    this.session.notice = { text: WORDS.lost, actions: [] };
-    const view = this.session.view;
-    this.session.detach();
-    this.#router?.dispose();
-    this.#sizes?.disconnect();
+  /** The strokes are the truth and none of them is on the device: a new scene shows them again, also in mid-stroke. */
+  async #renewScene(): Promise<void> {
+    const { session } = this;
+    session.notice = { text: WORDS.lost, actions: [] };
+    session.detach();
+    session.update();
     const old = this.#find<HTMLCanvasElement>('.picture');
     // A canvas whose context was lost with its device gives no other one.
-    const fresh = old.cloneNode() as HTMLCanvasElement;
-    old.replaceWith(fresh);
-    await this.#start();
-    this.session.scene?.rig.setView(view, false);
-    this.session.notice = null;
-    this.session.update();
+    old.replaceWith(old.cloneNode());
+    await this.#openScene();
+    if (session.scene) session.notice = null;
+    session.update();
   }
 
   #find<T extends Element>(selector: string): T {

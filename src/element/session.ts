@@ -53,6 +53,8 @@ export class Session implements Bench, Viewport {
   buildTime = 0;
   /** the document under a slider that is being dragged */
   #dragged: Document | null = null;
+  /** where one looked from when there last was a scene */
+  #lastView: View = FRONT_VIEW;
   #stale = true;
   #frame = 0;
   #last = 0;
@@ -74,7 +76,7 @@ export class Session implements Bench, Viewport {
   }
 
   get view(): View {
-    return this.scene?.rig.view() ?? FRONT_VIEW;
+    return this.scene?.rig.view() ?? this.#lastView;
   }
 
   pick(x: number, y: number) {
@@ -255,6 +257,7 @@ export class Session implements Bench, Viewport {
 
   attach(scene: Scene): void {
     this.scene = scene;
+    scene.rig.setView(this.#lastView, false);
     scene.setLook(this.look);
     this.update();
   }
@@ -262,6 +265,7 @@ export class Session implements Bench, Viewport {
   detach(): void {
     cancelAnimationFrame(this.#frame);
     this.#frame = 0;
+    this.#lastView = this.view;
     this.scene?.dispose();
     this.scene = null;
   }

@@ -82,7 +82,7 @@ function releaseOnce(gpu: GPU, shared: Shared, device: GPUDevice): () => void {
     released = true;
     if (--shared.users > 0) return;
     forget(gpu, shared);
-    device.destroy();
+    giveBack(device);
   };
 }
 
@@ -102,17 +102,25 @@ async function makeDevice(gpu: GPU): Promise<MadeDevice | { readonly reason: str
   const lost = surfaceLoss(device);
   const failure = await Promise.race([selfTest(device), lost.then((reason) => `device lost: ${reason}`)]);
   if (failure) {
-    device.destroy();
+    giveBack(device);
     return { reason: `self-test failed: ${failure}` };
   }
   return { device, description: describe(adapter, device, core), lost };
 }
 
-/** Resolves only for losses nobody asked for; after `destroy` it stays pending. */
+/** Devices that are gone because nobody needs them any more. */
+const givenBack = new WeakSet<GPUDevice>();
+
+function giveBack(device: GPUDevice): void {
+  givenBack.add(device);
+  device.destroy();
+}
+
+/** Resolves for every loss but our own giving back, also when another script destroys the device. */
 function surfaceLoss(device: GPUDevice): Promise<string> {
   return new Promise((resolve) => {
     void device.lost.then((info) => {
-      if (info.reason !== 'destroyed') resolve(info.message || 'unknown reason');
+      if (!givenBack.has(device)) resolve(info.message || info.reason || 'unknown reason');
     });
   });
 }
