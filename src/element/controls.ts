@@ -57,14 +57,14 @@ export function iconButton(
 
 export function topBar(session: Session, actions: Actions): TemplateResult {
   const { history } = session;
-  return html`<header class="top chrome">
-    <div class="tray card name">${wordmark}</div>
-    <div class="tray card styles" role="radiogroup" aria-label="Style" @keydown=${roving}>
+  return html`<header class="top">
+    <div class="tray chrome card name">${wordmark}</div>
+    <div class="tray chrome card styles" role="radiogroup" aria-label="Style" @keydown=${roving}>
       ${styleRadios(session, () => actions.toggle('settings'))}
       <span class="separator"></span>
       ${iconButton('settings', 'Settings', () => actions.toggle('settings'), { expanded: actions.open === 'settings' })}
     </div>
-    <div class="tray card right">
+    <div class="tray chrome card right">
       ${iconButton('undo', 'Undo', () => session.undo(), { key: 'U', off: !undoable(history), shortcut: 'U Control+Z' })}
       ${iconButton('redo', 'Redo', () => session.redo(), { key: 'Shift Z', off: !redoable(history), shortcut: 'Shift+Z Control+Shift+Z' })}
       <span class="separator"></span>

@@ -63,7 +63,7 @@ function back(session: Session, actions: KeyActions): void {
 
 function looking(key: string, session: Session, actions: KeyActions): boolean {
   const { look } = session;
-  const turn = (dx: number, dy: number) => done(session.orbit(dx * ARROW, dy * ARROW));
+  const turn = (dx: number, dy: number) => done(session.camera.orbit(dx * ARROW, dy * ARROW));
   switch (key) {
     case 'g':
       return done(session.setLook({ grid: !look.grid }));
@@ -74,9 +74,9 @@ function looking(key: string, session: Session, actions: KeyActions): boolean {
     case 'f':
       return done(session.fullScreen());
     case 'Home':
-      return done(session.showAll());
+      return done(session.camera.showAll());
     case '0':
-      return done(session.resetView());
+      return done(session.camera.reset());
     case '?':
       return done(actions.toggleHelp());
     case 'ArrowLeft':

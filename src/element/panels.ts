@@ -72,10 +72,7 @@ function settings(session: Session, actions: Actions): TemplateResult {
     </div>
     <section>
       ${toggle('Outline', look.outline, (outline) => session.setLook({ outline }))}
-      ${toggle('Perspective', perspective, (on) => {
-        session.scene?.rig.setPerspective(on);
-        session.update();
-      })}
+      ${toggle('Perspective', perspective, (on) => session.camera.setPerspective(on))}
       ${toggle('Grid', look.grid, (grid) => session.setLook({ grid }))}
       ${toggle('Wireframe', look.wireframe, (wireframe) => session.setLook({ wireframe }))}
     </section>
@@ -137,8 +134,8 @@ function menu(session: Session, actions: Actions): TemplateResult {
     return html`<button class="row" @click=${choose}>${icon(image, 20)}<span class="grow">${name}</span><kbd>${key}</kbd></button>`;
   };
   const body = html`<section>
-      ${entry('focus', 'Show everything', 'Home', () => session.showAll())}
-      ${entry('home', 'Reset the view', '0', () => session.resetView())}
+      ${entry('focus', 'Show everything', 'Home', () => session.camera.showAll())}
+      ${entry('home', 'Reset the view', '0', () => session.camera.reset())}
       ${entry('full', 'Full screen', 'F', () => session.fullScreen())}
       ${entry('help', 'Keys and gestures', '?', () => actions.toggle('help'))}
     </section>

@@ -25,21 +25,18 @@ import { panel } from './panels.ts';
 import { chipPlace, type Place, screenBox } from './place.ts';
 import { PointerRouter, type PointerTarget } from './pointer.ts';
 import { Session } from './session.ts';
+import { stepBack } from './stepBack.ts';
+import { PAPER_OF, reducedMotion, systemTheme, type Theme, watchSystem } from './theme.ts';
 import { tokens } from './tokens.ts';
 import { type BallActions, viewBall } from './viewBall.ts';
 import { drawInk } from './wetInk.ts';
 import { WORDS } from './words.ts';
-
-type Theme = 'light' | 'dark' | 'contrast';
 
 /** What the program draws on the paper is blue pencil, whatever the theme of the controls. */
 const PENCIL = { onLight: '#2b59c3', onDark: '#93b4ff' } as const;
 
 /** twice the resolution of a picture of 2400 × 1800 */
 const FINE_TEXELS = 18e6;
-
-/** px: cards this near to the pen step back */
-const NEAR = 48;
 
 export class RotundSketch extends LitElement implements Actions {
   static override styles = [tokens, layout];
@@ -91,12 +88,7 @@ export class RotundSketch extends LitElement implements Actions {
     super.connectedCallback();
     this.#media = new AbortController();
     const { signal } = this.#media;
-    for (const query of [
-      '(prefers-color-scheme: dark)',
-      '(prefers-contrast: more)',
-      '(prefers-reduced-motion: reduce)',
-    ])
-      matchMedia(query).addEventListener('change', () => this.#adapt(), { signal });
+    watchSystem(() => this.#adapt(), signal);
     this.addEventListener('keydown', (event) => this.#key(event), { signal });
     if (this.hasUpdated) this.#start();
   }
@@ -170,19 +162,11 @@ export class RotundSketch extends LitElement implements Actions {
   }
 
   #adapt(): void {
-    const matches = (query: string) => matchMedia(query).matches;
-    const system: Theme = matches('(prefers-contrast: more)')
-      ? 'contrast'
-      : matches('(prefers-color-scheme: dark)')
-        ? 'dark'
-        : 'light';
-    const theme = this.theme ?? system;
+    const theme = this.theme ?? systemTheme();
     this.dataset.theme = theme;
     const { session } = this;
-    if (session.scene) session.scene.rig.reducedMotion = matches('(prefers-reduced-motion: reduce)');
-    const background = { light: 'paper', dark: 'blue', contrast: 'white' } as const;
-    if (!session.choseBackground)
-      session.look = { ...session.look, background: background[theme], grain: theme !== 'contrast' };
+    if (session.scene) session.scene.rig.reducedMotion = reducedMotion();
+    if (!session.choseBackground) session.look = { ...session.look, ...PAPER_OF[theme] };
     session.scene?.setLook(session.look);
     session.update();
   }
@@ -265,7 +249,7 @@ export class RotundSketch extends LitElement implements Actions {
     const { session } = this;
     const ended = () => {
       this.#predicted = [];
-      this.#stepBack(null);
+      stepBack(this.renderRoot, null);
     };
     return {
       down: (pen) => {
@@ -278,7 +262,7 @@ export class RotundSketch extends LitElement implements Actions {
         session.move(pens);
         // At once, not with the frame: ink waits for nothing.
         this.#drawInk();
-        this.#stepBack(pens.at(-1) ?? null);
+        stepBack(this.renderRoot, pens.at(-1) ?? null);
       },
       up: () => {
         ended();
@@ -288,11 +272,11 @@ export class RotundSketch extends LitElement implements Actions {
         ended();
         session.cancel();
       },
-      orbit: (dx, dy) => session.orbit(dx, dy),
-      pan: (dx, dy) => session.pan(dx, dy),
-      roll: (angle) => session.roll(angle),
-      zoom: (factor, x, y) => session.zoom(factor, x, y),
-      focus: () => session.showAll(),
+      orbit: (dx, dy) => session.camera.orbit(dx, dy),
+      pan: (dx, dy) => session.camera.pan(dx, dy),
+      roll: (angle) => session.camera.roll(angle),
+      zoom: (factor, x, y) => session.camera.zoom(factor, x, y),
+      focus: () => session.camera.showAll(),
       undo: () => session.undo(),
       redo: () => session.redo(),
       penSeen: () => this.#seePen(),
@@ -312,26 +296,12 @@ export class RotundSketch extends LitElement implements Actions {
     };
   }
 
-  /** While the pen is down cards near it fade and let it through. */
-  #stepBack(pen: Pen | null): void {
-    const origin = this.getBoundingClientRect();
-    for (const card of this.renderRoot.querySelectorAll('.chrome')) {
-      const box = card.getBoundingClientRect();
-      const dx = pen
-        ? Math.max(box.left - origin.left - pen.x, pen.x - (box.right - origin.left), 0)
-        : Number.POSITIVE_INFINITY;
-      const dy = pen ? Math.max(box.top - origin.top - pen.y, pen.y - (box.bottom - origin.top), 0) : 0;
-      const whole = card.classList.contains('top');
-      card.classList.toggle('away', pen !== null && !whole && Math.hypot(dx, dy) < NEAR);
-    }
-  }
-
   #ballActions(): BallActions {
     const { session } = this;
     return {
-      orbit: (dx, dy) => session.orbit(dx, dy),
-      face: (axis) => session.face(axis),
-      reset: () => session.resetView(),
+      orbit: (dx, dy) => session.camera.orbit(dx, dy),
+      face: (axis) => session.camera.face(axis),
+      reset: () => session.camera.reset(),
     };
   }
 

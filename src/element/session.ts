@@ -7,9 +7,6 @@ import { draftSolids, type Solid, solids } from '../document/build.ts';
 import { apply, type Command } from '../document/command/index.ts';
 import { type Brush, type Document, readingOf } from '../document/document.ts';
 import { commit, type History, newHistory, redo, redoable, undo, undoable } from '../document/history.ts';
-import type { Vec3 } from '../math/vec.ts';
-import { bounds } from '../mesh/measure.ts';
-import type { Box, Mesh } from '../mesh/mesh.ts';
 // Only the pure parts of the scene at once: three.js is fetched when there is a page to draw on.
 import type { Scene } from '../scene/index.ts';
 import { type Background, DEFAULT_LOOK, type Look, type Style } from '../scene/look.ts';
@@ -18,23 +15,12 @@ import type { View } from '../stroke/stroke.ts';
 import { idle } from '../tool/draw.ts';
 import type { Bench, Pen, State, Notice as ToolNotice } from '../tool/tool.ts';
 import type { Viewport } from '../tool/viewport.ts';
-import type { Axis } from './viewBall.ts';
+import { CameraMoves } from './cameraMoves.ts';
 import { SURFACE, WORDS } from './words.ts';
 
 export interface Notice {
   readonly text: string;
   readonly actions: readonly { readonly label: string; run(): void }[];
-}
-
-/** The box around all of them; null around nothing. */
-function boxOf(meshes: readonly Mesh[]): Box | null {
-  if (meshes.length === 0) return null;
-  const boxes = meshes.map(bounds);
-  const over = (pick: (a: number, b: number) => number, corner: 'min' | 'max'): Vec3 => {
-    const at = (axis: 0 | 1 | 2) => boxes.map((box) => box[corner][axis]).reduce(pick);
-    return [at(0), at(1), at(2)];
-  };
-  return { min: over(Math.min, 'min'), max: over(Math.max, 'max') };
 }
 
 export class Session implements Bench, Viewport {
@@ -46,6 +32,7 @@ export class Session implements Bench, Viewport {
   /** last event, the words of the status line and the live region */
   said: string = WORDS.ready;
   notice: Notice | null = null;
+  readonly camera = new CameraMoves(this);
   /** a person chose the background: the theme leaves it alone */
   choseBackground = false;
   onFullScreen = (): void => {};
@@ -213,42 +200,6 @@ export class Session implements Bench, Viewport {
   setBackground(background: Background): void {
     this.choseBackground = true;
     this.setLook({ background });
-  }
-
-  orbit(dx: number, dy: number): void {
-    this.#look(() => this.scene?.rig.orbit(dx, dy));
-  }
-
-  pan(dx: number, dy: number): void {
-    this.#look(() => this.scene?.rig.pan(dx, dy));
-  }
-
-  roll(angle: number): void {
-    this.#look(() => this.scene?.rig.roll(angle));
-  }
-
-  zoom(factor: number, x: number, y: number): void {
-    this.#look(() => this.scene?.rig.zoom(factor, x, y));
-  }
-
-  face(axis: Axis): void {
-    this.#look(() => this.scene?.rig.face(axis, true));
-  }
-
-  showAll(): void {
-    const meshes = [...solids(this.document), ...draftSolids(this.document)].map(({ mesh }) => mesh);
-    this.#look(() => this.scene?.rig.fit(boxOf(meshes), true));
-  }
-
-  resetView(): void {
-    this.#look(() => this.scene?.rig.reset(true));
-  }
-
-  /** Moves the camera; not under the pen, where it would tear the stroke. */
-  #look(move: () => void): void {
-    if (this.state.wet) return;
-    move();
-    this.wake();
   }
 
   fullScreen(): void {
