@@ -94,7 +94,8 @@ export class RotundSketch extends LitElement implements Actions {
   }
 
   protected override firstUpdated(): void {
-    this.#start();
+    // After this update: what starts asks for another.
+    void this.updateComplete.then(() => this.isConnected && this.#start());
   }
 
   override disconnectedCallback(): void {

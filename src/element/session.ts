@@ -73,6 +73,8 @@ export class Session implements Bench, Viewport {
   // ── commands ────────────────────────────────────────────────────────────────────────────────────────
 
   commit(commands: readonly Command[]): void {
+    // A notice speaks of what was: the next deed makes it untrue.
+    this.notice = null;
     for (const command of commands) {
       this.#say(command);
       this.history = commit(this.history, command);
@@ -131,6 +133,7 @@ export class Session implements Bench, Viewport {
   undo(): void {
     const words = undoable(this.history);
     this.said = words ? WORDS.undone(words) : WORDS.nothingToUndo;
+    this.notice = null;
     this.history = undo(this.history);
     this.update();
   }
@@ -138,6 +141,7 @@ export class Session implements Bench, Viewport {
   redo(): void {
     const words = redoable(this.history);
     this.said = words ? WORDS.redone(words) : WORDS.nothingToRedo;
+    this.notice = null;
     this.history = redo(this.history);
     this.update();
   }
