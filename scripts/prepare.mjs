@@ -19,8 +19,8 @@ export function run(command, args, environment = {}) {
 }
 
 const [major, minor] = process.versions.node.split('.').map(Number);
-if (major < 20 || (major === 20 && minor < 19)) {
-  console.error(`Rotund needs Node 20.19 or newer; this is ${process.version}.`);
+if (major < 20 || (major === 20 && minor < 20)) {
+  console.error(`Rotund needs Node 20.20 or newer; this is ${process.version}.`);
   process.exit(1);
 }
 

@@ -42,7 +42,7 @@ export interface Document {
   readonly brush: Brush;
   /** every stroke stays a tube (hair, stalks), however many there are */
   readonly tubesOnly: boolean;
-  /** number of the next part's id; never reused, so that undo and redo keep ids apart */
+  /** number of the next part's id; no two parts of a document share one */
   readonly nextId: number;
 }
 

@@ -1,5 +1,6 @@
 /** The floating controls around the drawing, as templates: what they show comes from the session, what they do goes to `Actions`. */
 import { html, nothing, type TemplateResult } from 'lit';
+import { live } from 'lit/directives/live.js';
 import { draftSolids } from '../document/build.ts';
 import { RADIUS_RANGE, readingOf } from '../document/document.ts';
 import { redoable, undoable } from '../document/history.ts';
@@ -127,7 +128,8 @@ export function rail(session: Session, actions: Actions): TemplateResult {
               <input
                 type="range" min="0" max="100" step="1" aria-label="Tube radius"
                 aria-valuetext="${brush.radius} mm, from ${min} to ${max}" title="Tube radius (Q, Shift Q)"
-                style="--fill: ${position}%" .value=${String(position)} @input=${moved(false)} @change=${moved(true)}
+                style="--fill: ${position}%" .value=${live(String(position))} @input=${moved(false)} @change=${moved(true)}
+                @pointerdown=${() => session.holdRadius()} @blur=${() => session.holdRadius()}
               />
             </div>
             <div class="caption">${brush.radius} mm</div>`
@@ -160,7 +162,7 @@ export function meter(session: Session): TemplateResult | typeof nothing {
   if (!draft) return nothing;
   const kind = readingOf(session.document);
   const two = draft.strokes.length > 1;
-  const only = (on: boolean) => () => session.commit([{ type: 'setTubesOnly', on }]);
+  const only = (on: boolean) => () => session.run({ type: 'setTubesOnly', on });
   const done = kind === 'rotational';
   return html`<div class="meter card chrome" role="group" aria-label="The number of strokes decides the surface">
     <button class=${done ? 'done' : ''} aria-current=${done ? nothing : 'step'} @click=${only(true)}

@@ -44,9 +44,9 @@ function drawing(key: string, shift: boolean, session: Session, actions: KeyActi
     case 'q':
       return done(actions.stepRadius(shift ? -1 : 1));
     case 'c':
-      return done(session.commit([{ type: 'removeLast' }]));
+      return done(session.run({ type: 'removeLast' }));
     case 'e':
-      return done(session.commit([{ type: 'removeAll' }]));
+      return done(session.run({ type: 'removeAll' }));
     case 'd':
       return done(actions.close());
     default:

@@ -158,6 +158,8 @@ export const layout = css`
   .spheres { display: grid; grid-template-columns: repeat(6, 1fr); }
   .spheres button { width: 2.875rem; height: 2.875rem; display: grid; place-items: center; border-radius: 50%; position: relative; }
   .spheres .ball { width: 2.125rem; height: 2.125rem; color: var(--active); }
+  .faces { display: grid; grid-template-columns: repeat(3, 1fr); gap: 0.25rem; padding: 0.25rem 0.5rem; }
+  .faces .b { font-size: 0.8125rem; }
   .menu { width: 16.5rem; right: var(--gap); }
   .palette { width: 19.5rem; }
   .row small { color: var(--ink-2); }

@@ -136,19 +136,25 @@ function menu(session: Session, actions: Actions): TemplateResult {
   const body = html`<section>
       ${entry('focus', 'Show everything', 'Home', () => session.camera.showAll())}
       ${entry('home', 'Reset the view', '0', () => session.camera.reset())}
+      <div class="faces" role="group" aria-label="Look from">
+        ${FACES.map((side) => html`<button class="b quiet" @click=${() => session.camera.face(side)}>${capital(side)}</button>`)}
+      </div>
       ${entry('full', 'Full screen', 'F', () => session.fullScreen())}
       ${entry('help', 'Keys and gestures', '?', () => actions.toggle('help'))}
     </section>
     ${
       document.parts.length || document.draft
         ? html`<section>
-            ${document.parts.length ? entry('trash', 'Delete the last part', 'C', () => session.commit([{ type: 'removeLast' }])) : nothing}
-            ${entry('trash', 'Delete everything', 'E', () => session.commit([{ type: 'removeAll' }]))}
+            ${document.parts.length ? entry('trash', 'Delete the last part', 'C', () => session.run({ type: 'removeLast' })) : nothing}
+            ${entry('trash', 'Delete everything', 'E', () => session.run({ type: 'removeAll' }))}
           </section>`
         : nothing
     }`;
   return frame('More', 'menu', actions, body);
 }
+
+const FACES = ['front', 'right', 'top', 'back', 'left', 'bottom'] as const;
+const capital = (word: string) => word[0]!.toUpperCase() + word.slice(1);
 
 const GESTURES: readonly (readonly [who: string, does: string])[] = [
   ['Pen', 'draws; its side button turns the view'],

@@ -23,7 +23,6 @@ export interface PointerTarget {
 }
 
 const TAP = { milliseconds: 250, pixels: 10 } as const;
-const PALM_MILLISECONDS = 100;
 const PREDICTION_PIXELS = 40;
 
 interface Finger {
@@ -36,6 +35,8 @@ type Mode = 'none' | 'draw' | 'turn' | 'pan' | 'roll' | 'two' | 'three' | 'ignor
 export class PointerRouter {
   #mode: Mode = 'none';
   #drawing: PointerEvent | null = null;
+  /** the pen or mouse that is down, whatever it does */
+  #owner: number | null = null;
   #last: Finger = { x: 0, y: 0 };
   readonly #fingers = new Map<number, Finger>();
   #tap = { start: 0, most: 0, moved: 0, previous: 0 };
@@ -88,12 +89,11 @@ export class PointerRouter {
     event.preventDefault();
     this.#canvas.focus({ preventScroll: true });
     if (event.pointerType === 'touch') this.#fingerDown(event);
-    else if (this.#mode === 'none' || this.#fingers.size > 0) this.#penDown(event);
+    else if (this.#owner === null) this.#penDown(event);
   }
 
   #penDown(event: PointerEvent): void {
     if (event.pointerType === 'pen') {
-      this.#target.penSeen();
       // A palm that lay down just before the pen had begun a stroke of its own.
       if (this.#fingers.size > 0) this.#endFingers();
       if (event.button === 5) {
@@ -102,9 +102,11 @@ export class PointerRouter {
       }
     }
     this.#canvas.setPointerCapture(event.pointerId);
+    this.#owner = event.pointerId;
     this.#last = this.#at(event);
     this.#mode = buttonMode(event);
     if (this.#mode === 'draw') this.#begin(event);
+    if (event.pointerType === 'pen') this.#target.penSeen();
   }
 
   #begin(event: PointerEvent): void {
@@ -151,7 +153,9 @@ export class PointerRouter {
       this.#fingerUp(event);
       return;
     }
+    if (event.pointerId !== this.#owner) return;
     if (this.#mode === 'draw' && event.pointerId === this.#drawing?.pointerId) this.#finish(event);
+    this.#owner = null;
     this.#mode = 'none';
   }
 
@@ -168,7 +172,9 @@ export class PointerRouter {
       this.#drawing = null;
       this.#target.cancel();
     }
-    if (this.#fingers.size === 0) this.#mode = 'none';
+    // A palm that was ignored is lost, too: it must not end what the pen does.
+    if (event.pointerId === this.#owner) this.#owner = null;
+    if (this.#owner === null && this.#fingers.size === 0) this.#mode = 'none';
   }
 
   #wheel(event: WheelEvent): void {
@@ -182,8 +188,7 @@ export class PointerRouter {
   // ── fingers ─────────────────────────────────────────────────────────────────────────────────────────
 
   #fingerDown(event: PointerEvent): void {
-    const penIsDown = this.#drawing !== null && this.#drawing.pointerType !== 'touch';
-    if (penIsDown) return;
+    if (this.#owner !== null) return;
     this.#canvas.setPointerCapture(event.pointerId);
     this.#fingers.set(event.pointerId, this.#at(event));
     const count = this.#fingers.size;
@@ -250,15 +255,13 @@ export class PointerRouter {
     this.#tap.previous = now;
   }
 
-  /** A pen lands: what the hand did is forgotten; a stroke it began is withdrawn while young. */
+  /** A pen lands: what the hand did is forgotten, and a stroke it had begun is withdrawn. */
   #endFingers(): void {
     this.#fingers.clear();
-    const drawing = this.#drawing;
+    this.#mode = 'none';
+    if (!this.#drawing) return;
     this.#drawing = null;
-    if (!drawing) return;
-    const young = performance.now() - drawing.timeStamp < PALM_MILLISECONDS;
-    if (young) this.#target.cancel();
-    else this.#target.up();
+    this.#target.cancel();
   }
 }
 

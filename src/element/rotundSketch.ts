@@ -5,6 +5,7 @@
 import { html, LitElement, nothing, type PropertyValues } from 'lit';
 import { draftSolids } from '../document/build.ts';
 import type { Document } from '../document/document.ts';
+import type { Scene } from '../scene/index.ts';
 import { isDark, lineColour, PAPER_COLOUR } from '../scene/look.ts';
 import type { Pen } from '../tool/tool.ts';
 import {
@@ -26,7 +27,7 @@ import { chipPlace, type Place, screenBox } from './place.ts';
 import { PointerRouter, type PointerTarget } from './pointer.ts';
 import { Session } from './session.ts';
 import { stepBack } from './stepBack.ts';
-import { PAPER_OF, reducedMotion, systemTheme, type Theme, watchSystem } from './theme.ts';
+import { PAPER_OF, reducedMotion, systemTheme, type Theme, watchPixelRatio, watchSystem } from './theme.ts';
 import { tokens } from './tokens.ts';
 import { type BallActions, viewBall } from './viewBall.ts';
 import { drawInk } from './wetInk.ts';
@@ -64,6 +65,8 @@ export class RotundSketch extends LitElement implements Actions {
   #router: PointerRouter | null = null;
   #sizes: ResizeObserver | null = null;
   #predicted: readonly Pen[] = [];
+  /** counts removals and renewals: what was begun before one must not arrive after it */
+  #life = 0;
   #penSeen = false;
   #media: AbortController | null = null;
   #viewKey = '';
@@ -89,17 +92,22 @@ export class RotundSketch extends LitElement implements Actions {
     this.#media = new AbortController();
     const { signal } = this.#media;
     watchSystem(() => this.#adapt(), signal);
+    watchPixelRatio(() => this.#resize(), signal);
     this.addEventListener('keydown', (event) => this.#key(event), { signal });
     if (this.hasUpdated) this.#start();
   }
 
   protected override firstUpdated(): void {
     // After this update: what starts asks for another.
-    void this.updateComplete.then(() => this.isConnected && this.#start());
+    const life = this.#life;
+    void this.updateComplete.then(() => this.#life === life && this.#start());
   }
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
+    this.#life++;
+    this.session.cancel();
+    this.#predicted = [];
     this.#media?.abort();
     this.#router?.dispose();
     this.#sizes?.disconnect();
@@ -116,43 +124,63 @@ export class RotundSketch extends LitElement implements Actions {
     void this.#openScene();
   }
 
-  async #openScene(): Promise<void> {
+  async #openScene(backend = this.backend): Promise<void> {
+    const life = this.#life;
     try {
       const { createScene } = await import('../scene/index.ts');
-      if (!this.isConnected) return;
+      if (this.#life !== life) return;
       const scene = await createScene(this.#find<HTMLCanvasElement>('.picture'), {
-        backend: this.backend,
+        backend,
         ...(this.quality === 'fine' ? { lineTexels: FINE_TEXELS } : {}),
       });
-      if (!this.isConnected) return scene.dispose();
-      this.session.attach(scene);
-      this.dataset.backend = scene.backend;
-      if (scene.backend === 'WebGL2') this.session.said = WORDS.webgl2;
-      void scene.lost.then(() => {
-        if (this.session.scene === scene) void this.#renewScene();
-      });
-      this.#adapt();
-      this.#resize();
-      this.dispatchEvent(new Event('ready'));
+      if (this.#life !== life) scene.dispose();
+      else this.#show(scene);
     } catch (error) {
-      console.error(error);
-      this.session.notice = { text: WORDS.noPicture, actions: [] };
-      this.dataset.backend = 'none';
-      this.requestUpdate();
+      if (this.#life === life) await this.#withoutScene(error, backend);
     }
+  }
+
+  #show(scene: Scene): void {
+    this.session.attach(scene);
+    this.dataset.backend = scene.backend;
+    if (scene.backend === 'WebGL2') this.session.said = WORDS.webgl2;
+    void scene.lost.then(() => {
+      if (this.session.scene === scene) void this.#renewScene();
+    });
+    this.#adapt();
+    this.#resize();
+    this.dispatchEvent(new Event('ready'));
+  }
+
+  /** There is always a picture: what fails with WebGPU is tried with WebGL2 before anyone is told. */
+  async #withoutScene(error: unknown, tried: 'auto' | 'webgl2'): Promise<void> {
+    console.error(error);
+    if (tried === 'auto') {
+      this.#freshCanvas();
+      await this.#openScene('webgl2');
+      return;
+    }
+    this.session.notice = { text: WORDS.noPicture, actions: [] };
+    this.dataset.backend = 'none';
+    this.requestUpdate();
+  }
+
+  /** A canvas that had one context, or lost it with its device, gives no other one. */
+  #freshCanvas(): void {
+    const old = this.#find<HTMLCanvasElement>('.picture');
+    old.replaceWith(old.cloneNode());
   }
 
   /** The strokes are the truth and none of them is on the device: a new scene shows them again, also in mid-stroke. */
   async #renewScene(): Promise<void> {
     const { session } = this;
+    this.#life++;
     session.notice = { text: WORDS.lost, actions: [] };
     session.detach();
     session.update();
-    const old = this.#find<HTMLCanvasElement>('.picture');
-    // A canvas whose context was lost with its device gives no other one.
-    old.replaceWith(old.cloneNode());
+    this.#freshCanvas();
     await this.#openScene();
-    if (session.scene) session.notice = null;
+    if (session.scene && session.notice?.text === WORDS.lost) session.notice = null;
     session.update();
   }
 
@@ -174,7 +202,7 @@ export class RotundSketch extends LitElement implements Actions {
 
   #resize(): void {
     const { clientWidth: width, clientHeight: height } = this;
-    if (width === 0 || height === 0) return;
+    if (width === 0 || height === 0 || !this.hasUpdated) return;
     const ink = this.#find<HTMLCanvasElement>('.ink');
     ink.width = Math.round(width * devicePixelRatio);
     ink.height = Math.round(height * devicePixelRatio);

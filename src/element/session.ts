@@ -4,7 +4,7 @@
  * does the work, and wet ink is drawn before it.
  */
 import { draftSolids, type Solid, solids } from '../document/build.ts';
-import { apply, type Command } from '../document/command/index.ts';
+import { apply, type Command, describe } from '../document/command/index.ts';
 import { type Brush, type Document, readingOf } from '../document/document.ts';
 import { commit, type History, newHistory, redo, redoable, undo, undoable } from '../document/history.ts';
 // Only the pure parts of the scene at once: three.js is fetched when there is a page to draw on.
@@ -18,8 +18,13 @@ import type { Viewport } from '../tool/viewport.ts';
 import { CameraMoves } from './cameraMoves.ts';
 import { SURFACE, WORDS } from './words.ts';
 
+/** ms: a preview that takes longer is not made in every frame */
+const SLOW_PREVIEW = 30;
+
 export interface Notice {
   readonly text: string;
+  /** goes with the next deed */
+  readonly passing?: boolean;
   readonly actions: readonly { readonly label: string; run(): void }[];
 }
 
@@ -38,8 +43,11 @@ export class Session implements Bench, Viewport {
   onFullScreen = (): void => {};
   /** ms the last surface took, from strokes to mesh */
   buildTime = 0;
-  /** the document under a slider that is being dragged */
-  #dragged: Document | null = null;
+  /** the radius under a slider that is being dragged, mm */
+  #radius: number | null = null;
+  /** until the slider is let go */
+  #dragCancelled = false;
+  #synced = 0;
   /** where one looked from when there last was a scene */
   #lastView: View = FRONT_VIEW;
   #stale = true;
@@ -72,15 +80,22 @@ export class Session implements Bench, Viewport {
 
   // ── commands ────────────────────────────────────────────────────────────────────────────────────────
 
+  /** For the tool in hand; people's own commands come through `run`. */
   commit(commands: readonly Command[]): void {
-    // A notice speaks of what was: the next deed makes it untrue.
-    this.notice = null;
+    this.#clearPassing();
+    this.#radius = null;
     for (const command of commands) {
       this.#say(command);
       this.history = commit(this.history, command);
     }
-    if (commands.some(({ type }) => type === 'addStroke')) this.#sayPreview();
+    if (commands.some(({ type }) => type === 'addStroke' || type === 'setTubesOnly')) this.#sayPreview();
     this.update();
+  }
+
+  /** A command from a key or a control. A stroke under the pen is cancelled: it was begun on another document. */
+  run(command: Command): void {
+    this.cancel();
+    this.commit([command]);
   }
 
   #say(command: Command): void {
@@ -89,6 +104,7 @@ export class Session implements Bench, Viewport {
     const made = document.tubesOnly ? (document.draft?.strokes.length ?? 0) : 1;
     if (command.type === 'keep' && kind) this.said = WORDS.kept(kind, document.parts.length + made);
     if (command.type === 'drop') this.said = WORDS.dropped;
+    if (command.type === 'setBrush') this.said = WORDS.changed(describe(document, command));
     if (command.type === 'removeLast')
       this.said = document.parts.length ? WORDS.deleted(1) : WORDS.nothingToDelete;
     if (command.type === 'removeAll') {
@@ -101,55 +117,65 @@ export class Session implements Bench, Viewport {
     const kind = readingOf(this.document);
     if (!kind) return;
     this.said = WORDS.preview(kind);
-    const built = this.#solids().some(({ preview }) => preview);
+    const built = this.#solids(this.document).some(({ preview }) => preview);
     if (!built && this.said !== WORDS.failed) this.said = WORDS.noSurface;
   }
 
   keep(): void {
-    if (this.document.draft) this.commit([{ type: 'keep' }]);
+    if (this.document.draft) this.run({ type: 'keep' });
   }
 
   drop(): void {
-    if (this.document.draft) this.commit([{ type: 'drop' }]);
+    if (this.document.draft) this.run({ type: 'drop' });
   }
 
   setBrush(change: Partial<Brush>): void {
-    this.commit([{ type: 'setBrush', change }]);
+    this.run({ type: 'setBrush', change });
   }
 
   /** A drag of the slider is a preview until it is done: one undo step. */
   setRadius(radius: number, done: boolean): void {
-    const change = { radius };
+    if (this.#dragCancelled) return;
+    if (done) this.setBrush({ radius });
+    else this.#radius = radius;
     this.said = WORDS.radius(radius);
-    if (done) {
-      this.#dragged = null;
-      this.setBrush(change);
-      return;
-    }
-    this.#dragged = apply(this.document, { type: 'setBrush', change });
+    this.update();
+  }
+
+  /** The slider is taken hold of or let go: what was only shown is over. */
+  holdRadius(): void {
+    this.#dragCancelled = false;
+    this.#radius = null;
     this.update();
   }
 
   undo(): void {
+    // Under the pen the stroke itself is what undo takes back.
+    if (this.cancel()) return;
     const words = undoable(this.history);
     this.said = words ? WORDS.undone(words) : WORDS.nothingToUndo;
-    this.notice = null;
+    this.#clearPassing();
     this.history = undo(this.history);
     this.update();
   }
 
   redo(): void {
+    this.cancel();
     const words = redoable(this.history);
     this.said = words ? WORDS.redone(words) : WORDS.nothingToRedo;
-    this.notice = null;
+    this.#clearPassing();
     this.history = redo(this.history);
     this.update();
+  }
+
+  #clearPassing(): void {
+    if (this.notice?.passing) this.notice = null;
   }
 
   // ── the pen ─────────────────────────────────────────────────────────────────────────────────────────
 
   down(pen: Pen): void {
-    this.notice = null;
+    this.#clearPassing();
     this.#to(this.state.down?.(pen, this));
   }
 
@@ -162,8 +188,14 @@ export class Session implements Bench, Viewport {
     this.#changed();
   }
 
-  /** The stroke goes; true when there was one. */
+  /** The stroke or the drag under way goes; true when there was one. */
   cancel(): boolean {
+    if (this.#radius !== null) {
+      this.#radius = null;
+      this.#dragCancelled = true;
+      this.update();
+      return true;
+    }
     const before = this.state;
     this.#to(this.state.cancel());
     this.#changed();
@@ -183,7 +215,11 @@ export class Session implements Bench, Viewport {
       const first = this.document.draft?.strokes[0];
       const turnBack = () => first && this.scene?.rig.setView(first.view, true);
       this.said = WORDS.edgeOn;
-      this.notice = { text: WORDS.edgeOn, actions: [{ label: WORDS.turnBack, run: () => turnBack() }] };
+      this.notice = {
+        text: WORDS.edgeOn,
+        passing: true,
+        actions: [{ label: WORDS.turnBack, run: () => turnBack() }],
+      };
     }
     this.update();
   }
@@ -211,6 +247,7 @@ export class Session implements Bench, Viewport {
   }
 
   attach(scene: Scene): void {
+    if (this.scene !== scene) this.scene?.dispose();
     this.scene = scene;
     scene.rig.setView(this.#lastView, false);
     scene.setLook(this.look);
@@ -243,34 +280,42 @@ export class Session implements Bench, Viewport {
     const seconds = Math.min(0.1, (now - this.#last) / 1000);
     this.#last = now;
     const moving = this.scene?.rig.update(seconds) ?? false;
-    if (this.#stale) this.#sync();
+    if (this.#stale && this.#due) this.#sync();
     this.scene?.render();
     this.#draw();
-    if (moving) this.wake();
+    if (moving || this.#stale) this.wake();
   }
 
   /** The document as shown: with the stroke under the pen. */
   shown(): Document {
-    return this.state.preview?.(this) ?? this.#dragged ?? this.document;
+    const { document } = this;
+    if (this.#radius === null) return this.state.preview?.(this) ?? document;
+    return apply(document, { type: 'setBrush', change: { radius: this.#radius } });
   }
 
   #sync(): void {
     this.#stale = false;
-    this.scene?.sync(this.#solids().map(({ solid, preview }) => ({ ...solid, preview })));
+    this.#synced = performance.now();
+    this.scene?.sync(this.#solids(this.shown()).map(({ solid, preview }) => ({ ...solid, preview })));
   }
 
-  #solids(): { solid: Solid; preview: boolean }[] {
+  /** A preview that took long waits its turn: the pen has the time before it. */
+  get #due(): boolean {
+    if (!this.state.wet || this.buildTime < SLOW_PREVIEW) return true;
+    return performance.now() - this.#synced > 4 * this.buildTime;
+  }
+
+  #solids(shown: Document): { solid: Solid; preview: boolean }[] {
     const start = performance.now();
-    const found = this.#build();
+    const found = this.#build(shown);
     const took = performance.now() - start;
     // Less is a look into the cache.
     if (took > 0.5) this.buildTime = took;
     return found;
   }
 
-  #build(): { solid: Solid; preview: boolean }[] {
+  #build(shown: Document): { solid: Solid; preview: boolean }[] {
     try {
-      const shown = this.shown();
       const kept = solids(shown).map((solid) => ({ solid, preview: false }));
       return [...kept, ...draftSolids(shown).map((solid) => ({ solid, preview: true }))];
     } catch (error) {

@@ -19,6 +19,20 @@ export function watchSystem(changed: () => void, signal: AbortSignal): void {
     matchMedia(query).addEventListener('change', changed, { signal });
 }
 
+/** A window moved to another screen changes its pixels without changing its size. */
+export function watchPixelRatio(changed: () => void, signal: AbortSignal): void {
+  const arm = () =>
+    matchMedia(`(resolution: ${devicePixelRatio}dppx)`).addEventListener('change', again, {
+      once: true,
+      signal,
+    });
+  const again = () => {
+    changed();
+    arm();
+  };
+  arm();
+}
+
 /** The paper that goes with a theme, until a person chooses one. */
 export const PAPER_OF: Readonly<Record<Theme, Pick<Look, 'background' | 'grain'>>> = {
   light: { background: 'paper', grain: true },

@@ -4,6 +4,7 @@
  * own over the picture, so that ink never waits for the field.
  */
 import { curveOfStroke } from '../document/build.ts';
+import { readingOf } from '../document/document.ts';
 import type { Vec2 } from '../math/vec.ts';
 import { project, toWorld } from '../stroke/plane.ts';
 import type { Stroke } from '../stroke/stroke.ts';
@@ -40,7 +41,8 @@ export function drawInk(
   context.setTransform(ratio, 0, 0, ratio, 0, 0);
   context.clearRect(0, 0, session.size.width, session.size.height);
   const lines = (session.document.draft?.strokes ?? []).map((stroke) => dried(stroke, session));
-  if (lines.length === 2) drawAxis(context, lines[0]!, lines[1]!, colours);
+  if (lines.length === 2 && readingOf(session.document) === 'rotational')
+    drawAxis(context, lines[0]!, lines[1]!, colours);
   for (const line of lines) drawLine(context, line, colours.ink);
   for (const i of lines.keys()) drawNumber(context, i, lines, colours);
   if (session.state.wet) drawWet(context, session.state.wet, predicted, colours);

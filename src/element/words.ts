@@ -26,6 +26,7 @@ export const WORDS = {
   deleted: (count: number) =>
     `${count === 1 ? 'Last part' : `All ${count} parts`} deleted. Undo brings ${count === 1 ? 'it' : 'them'} back`,
   nothingToDelete: 'Nothing to delete',
+  changed: (what: string) => `Changed: ${what}`,
   radius: (mm: number) => `Tube radius ${mm} mm`,
   style: (name: string) => `Style: ${name.toLowerCase()}`,
   tooShort: 'A dot is too short for a tube. Draw a longer line.',

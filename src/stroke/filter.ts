@@ -54,6 +54,8 @@ export interface FilteredStroke {
 export const FEWEST_CONTROLS = 8;
 /** Short strokes are resampled finer: with fewer steps the chords between them would show. */
 const FEWEST_STEPS = 96;
+/** … but the pieces of a hatch share: a sixth of that is enough for one of hundreds */
+const FEWEST_STEPS_IN_ALL = 9600;
 /** fine points per grain: at three levels a control point every 5.3 grains */
 const STEPS_PER_GRAIN = 1.5;
 /** 100 m of stroke at the default grain; longer ones get longer steps */
@@ -66,18 +68,22 @@ const REST_GRAINS = 0.4;
 /** The smooth stroke, or null when the samples hold fewer than two places (a dot). RangeError for levels beyond 0–6. */
 export function filterStroke(samples: readonly Sample[], options: FilterOptions): FilteredStroke | null {
   checkLevels(options.levels);
-  const grain = options.grain ?? 1;
-  const cleaned = clean(samples, REST_GRAINS * grain);
+  const cleaned = clean(samples, REST_GRAINS * (options.grain ?? 1));
   if (cleaned === null) return null;
+  // One budget of fine points for the whole stroke, however long it is and into however many pieces it falls.
+  const longest = pathOf(cleaned.samples, false).length * STEPS_PER_GRAIN;
+  const grain = Math.max(options.grain ?? 1, longest / MOST_FINE_POINTS);
   const drawn = pathOf(removeHooks(cleaned.samples, grain), false);
   const path = shouldClose(drawn, options.closed ?? 'auto') ? joinEnds(drawn) : drawn;
   const corners = (options.corners ?? true) ? findCorners(path, grain) : [];
   const periodic = path.closed && corners.length === 0;
+  const parts = split(path, corners);
+  const fewest = Math.max(FEWEST_STEPS / 6, Math.min(FEWEST_STEPS, FEWEST_STEPS_IN_ALL / parts.length));
   return {
     degree: degreeOf(options),
     closed: path.closed,
     periodic,
-    pieces: split(path, corners).map((points) => fitPiece(points, periodic, options, grain)),
+    pieces: parts.map((points) => fitPiece(points, periodic, options, { grain, fewest })),
     pressure: pressureProfile(path, corners[0] ?? 0),
   };
 }
@@ -105,11 +111,11 @@ function fitPiece(
   points: readonly Ink[],
   periodic: boolean,
   options: FilterOptions,
-  grain: number,
+  { grain, fewest }: { readonly grain: number; readonly fewest: number },
 ): readonly Vec2[] {
   const degree = degreeOf(options);
   const drawn = pathOf(points, periodic);
-  const step = Math.min(grain / STEPS_PER_GRAIN, drawn.length / FEWEST_STEPS);
+  const step = Math.min(grain / STEPS_PER_GRAIN, drawn.length / fewest);
   const even = evenPath(pathOf(fillGaps(points, periodic, step), periodic), step);
   const count = controlCount(even.length, grain, options.levels);
   const fine = resample(even, fineCount(count, degree, periodic, options.levels)).map(toVec);

@@ -31,6 +31,9 @@ export interface Slice {
   readonly joined: boolean;
 }
 
+/** a full turn's worth of rows, over all ball joints of a tube */
+const JOINT_ROWS = 1024;
+
 /** mm at u */
 export type Radius = (u: number) => number;
 
@@ -54,9 +57,12 @@ export function slices(curve: Curve, radius: Radius, quads: number, around: numb
     const end = i === 0 || i === stops.length - 1;
     return end && !(curve.closed && curve.corners.length > 0) ? 0 : turnAt(curve, u);
   });
+  // A hatch has hundreds of sharp turns: they share the rows of their ball joints.
+  const sharp = turns.filter((turn) => Math.abs(turn) > SHARPEST_MITRE).length;
+  const joint = Math.max(4, Math.min(around, Math.floor(JOINT_ROWS / Math.max(1, sharp))));
   const found = pieces(stops, quads, () => least).flatMap((us, i) => {
     const row = us.map((_, k) => sliceAt(curve, radius, us, k, [turns[i]!, turns[i + 1]!]));
-    return [...row, ...ballJoint(row[row.length - 1]!, turns[i + 1]!, around)];
+    return [...row, ...ballJoint(row[row.length - 1]!, turns[i + 1]!, joint)];
   });
   const ballAtSeam = curve.closed && Math.abs(turns[0]!) > SHARPEST_MITRE;
   return ballAtSeam ? [...found, { ...found[0]!, joined: true }] : found;

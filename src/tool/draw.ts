@@ -119,19 +119,18 @@ export function plan(document: Document, stroke: Stroke): readonly Command[] {
   const first = document.draft?.strokes[0];
   if (!first) return [add];
   // An open and a closed stroke have no ends in common: they stay two tubes.
-  return joins(document) && first.closed === stroke.closed ? [add] : [{ type: 'keep' }, add];
+  const pairs = first.closed === stroke.closed && first.plane === stroke.plane;
+  return joins(document) && pairs ? [add] : [{ type: 'keep' }, add];
 }
 
 /** A tube from its first 12 px on; a rotational surface once the second stroke is half as long as the first. */
 function previewOf(drawn: Drawn, bench: Bench): Document | null {
   const stroke = drawn.length >= MINIMUM ? strokeOf(drawn, bench) : null;
   if (!stroke) return null;
+  const commands = plan(bench.document, stroke);
   const first = bench.document.draft?.strokes[0];
-  if (first && joins(bench.document)) {
-    if (pathLength(stroke) < pathLength(first) / 2) return null;
-    return apply(bench.document, { type: 'addStroke', stroke: { ...stroke, closed: first.closed } });
-  }
-  return plan(bench.document, stroke).reduce(apply, bench.document);
+  const young = commands.length === 1 && first && pathLength(stroke) < pathLength(first) / 2;
+  return young ? null : commands.reduce(apply, bench.document);
 }
 
 function pathLength({ samples }: Stroke): number {

@@ -1,0 +1,120 @@
+/** The pointer router on a canvas that is none: palms, second fingers and lost pointers. */
+import { beforeEach, describe, expect, it } from 'vitest';
+import { PointerRouter, type PointerTarget } from '../../src/element/pointer.ts';
+
+class FakeCanvas extends EventTarget {
+  readonly clientWidth = 800;
+  readonly clientHeight = 600;
+  focus(): void {}
+  setPointerCapture(): void {}
+  getBoundingClientRect() {
+    return { left: 0, top: 0 };
+  }
+}
+
+let canvas: FakeCanvas;
+let log: string[];
+let fingersDraw: boolean;
+
+beforeEach(() => {
+  canvas = new FakeCanvas();
+  log = [];
+  fingersDraw = true;
+  const note = (name: string) => () => void log.push(name);
+  const target: PointerTarget = {
+    down: note('down'),
+    move: note('move'),
+    up: note('up'),
+    cancel: note('cancel'),
+    orbit: note('orbit'),
+    pan: note('pan'),
+    roll: note('roll'),
+    zoom: note('zoom'),
+    focus: note('focus'),
+    undo: note('undo'),
+    redo: note('redo'),
+    penSeen: note('pen seen'),
+    fingersDraw: () => fingersDraw,
+  };
+  new PointerRouter(canvas as unknown as HTMLElement, target);
+});
+
+function send(type: string, pointerType: string, pointerId: number, x = 100, button = 0): void {
+  const event = new Event(type, { cancelable: true });
+  const facts = {
+    pointerType,
+    pointerId,
+    clientX: x,
+    clientY: 100,
+    button,
+    pressure: 0.5,
+    tiltX: 0,
+    tiltY: 0,
+  };
+  canvas.dispatchEvent(Object.assign(event, facts));
+}
+
+const strokes = () => log.filter((name) => ['down', 'up', 'cancel'].includes(name));
+
+describe('a pen', () => {
+  it('draws on while a palm touches and leaves', () => {
+    send('pointerdown', 'pen', 1);
+    send('pointermove', 'pen', 1, 150);
+    send('pointerdown', 'touch', 7);
+    send('pointerup', 'touch', 7);
+    send('lostpointercapture', 'touch', 7);
+    const before = log.length;
+    send('pointermove', 'pen', 1, 200);
+    expect(log.slice(before)).toEqual(['move']);
+    send('pointerup', 'pen', 1, 200);
+    expect(strokes()).toEqual(['down', 'up']);
+  });
+
+  it('draws on when the system cancels the palm, or a mouse button is released', () => {
+    send('pointerdown', 'pen', 1);
+    send('pointerdown', 'touch', 7);
+    send('pointercancel', 'touch', 7);
+    send('pointerup', 'mouse', 2);
+    send('pointerup', 'pen', 1);
+    expect(strokes()).toEqual(['down', 'up']);
+  });
+
+  it('withdraws what a palm had begun, however long before', () => {
+    send('pointerdown', 'touch', 7);
+    send('pointermove', 'touch', 7, 160);
+    send('pointerdown', 'pen', 1);
+    send('pointerup', 'pen', 1);
+    expect(strokes()).toEqual(['down', 'cancel', 'down', 'up']);
+  });
+
+  it('cancels when it is lost', () => {
+    send('pointerdown', 'pen', 1);
+    send('pointercancel', 'pen', 1);
+    send('pointerdown', 'pen', 2);
+    send('pointerup', 'pen', 2);
+    expect(strokes()).toEqual(['down', 'cancel', 'down', 'up']);
+  });
+
+  it('undoes with its eraser and turns nothing meanwhile', () => {
+    fingersDraw = false;
+    send('pointerdown', 'touch', 7);
+    send('pointerdown', 'pen', 1, 100, 5);
+    send('pointermove', 'pen', 1, 200);
+    expect(log).toEqual(['undo']);
+  });
+});
+
+describe('fingers', () => {
+  it('cancel a stroke with the second one', () => {
+    send('pointerdown', 'touch', 1);
+    send('pointerdown', 'touch', 2, 300);
+    expect(strokes()).toEqual(['down', 'cancel']);
+  });
+
+  it('turn the view once they do not draw', () => {
+    fingersDraw = false;
+    send('pointerdown', 'touch', 1);
+    send('pointermove', 'touch', 1, 140);
+    expect(log).toEqual(['orbit']);
+  });
+});
