@@ -111,7 +111,8 @@ export function rail(session: Session, actions: Actions): TemplateResult {
   const { brush, parts } = session.document;
   const named = parts.length === 0 && !session.document.draft;
   const { min, max } = RADIUS_RANGE;
-  const position = radiusToSlider(brush.radius);
+  const { radius } = session;
+  const position = radiusToSlider(radius);
   const moved = (done: boolean) => (event: Event) =>
     actions.setRadius(sliderToRadius(Number((event.target as HTMLInputElement).value)), done);
   return html`<div class="rail card chrome ${named ? 'named' : ''}" role="toolbar" aria-label="Tools" aria-orientation="vertical">
@@ -127,12 +128,12 @@ export function rail(session: Session, actions: Actions): TemplateResult {
         : html`<div class="upright">
               <input
                 type="range" min="0" max="100" step="1" aria-label="Tube radius"
-                aria-valuetext="${brush.radius} mm, from ${min} to ${max}" title="Tube radius (Q, Shift Q)"
+                aria-valuetext="${radius} mm, from ${min} to ${max}" title="Tube radius (Q, Shift Q)"
                 style="--fill: ${position}%" .value=${live(String(position))} @input=${moved(false)} @change=${moved(true)}
                 @pointerdown=${() => session.holdRadius()} @blur=${() => session.holdRadius()}
               />
             </div>
-            <div class="caption">${brush.radius} mm</div>`
+            <div class="caption">${radius} mm</div>`
     }
     ${navigator.maxTouchPoints > 0 ? fingerSwitch(actions) : nothing}
   </div>`;

@@ -136,10 +136,15 @@ export class Session implements Bench, Viewport {
   /** A drag of the slider is a preview until it is done: one undo step. */
   setRadius(radius: number, done: boolean): void {
     if (this.#dragCancelled) return;
+    this.#radius = done ? null : radius;
     if (done) this.setBrush({ radius });
-    else this.#radius = radius;
     this.said = WORDS.radius(radius);
     this.update();
+  }
+
+  /** mm, as shown: under the slider or of the document */
+  get radius(): number {
+    return this.#radius ?? this.document.brush.radius;
   }
 
   /** The slider is taken hold of or let go: what was only shown is over. */
