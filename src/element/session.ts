@@ -181,6 +181,9 @@ export class Session implements Bench, Viewport {
 
   down(pen: Pen): void {
     this.#clearPassing();
+    // A stroke is drawn from where one looks now: a move of the camera ends here and does not go on afterwards.
+    const rig = this.scene?.rig;
+    if (rig?.moving) rig.setView(rig.view(), false);
     this.#to(this.state.down?.(pen, this));
   }
 
