@@ -37,7 +37,7 @@ const DOORS: readonly { readonly what: RegExp; readonly folders: readonly string
 /** Names that pure code must not use: the DOM's, the GPU's, and functions whose last bit differs between engines. */
 const OUTSIDE = /\b(window|navigator|HTMLElement|requestAnimationFrame|GPUDevice|localStorage|performance)\b/;
 const ENGINE_MATH =
-  /\bMath\.(sin|cos|tan|asin|acos|atan|atan2|exp|expm1|log|log1p|log2|log10|pow|cbrt|sinh|cosh|tanh)\b|\*\*/;
+  /\bMath\.(sin|cos|tan|asin|acos|atan|atan2|exp|expm1|log|log1p|log2|log10|pow|cbrt|sinh|cosh|tanh|hypot)\b|\*\*/;
 
 interface Source {
   readonly path: string;

@@ -3,6 +3,7 @@
  * filtered or meshed twice, because commands share what they do not touch.
  */
 import type { Mesh } from '../mesh/mesh.ts';
+import { placed } from '../mesh/placed.ts';
 import { curveOf } from '../stroke/arcLength.ts';
 import type { Curve } from '../stroke/curve.ts';
 import { filterStroke } from '../stroke/filter.ts';
@@ -21,6 +22,7 @@ export const RESOLUTION: Resolution = { u: 64, v: 64 };
 /** A mesh with what it is shown by. */
 export interface Solid {
   readonly id: string;
+  readonly name: string;
   readonly kind: SurfaceKind;
   readonly colour: string;
   readonly mesh: Mesh;
@@ -58,20 +60,46 @@ export function buildForm(
   return buildSurface(kind, found as Curve[], plane, { radius, pressure, caps, ...resolution });
 }
 
+interface Shape {
+  readonly kind: SurfaceKind;
+  /** without the colour, which no mesh depends on */
+  readonly key: string;
+  readonly mesh: Mesh | null;
+}
+
+// By strokes, so that a part that is moved, hidden, named or coloured is not filtered and meshed again.
+const shapes = new WeakMap<readonly Stroke[], Shape[]>();
+
+function shapeOf({ kind, strokes, brush }: Part, resolution: Resolution): Mesh | null {
+  const key = JSON.stringify([{ ...brush, colour: '' }, resolution]);
+  const known = shapes.get(strokes) ?? [];
+  const found = known.find((shape) => shape.kind === kind && shape.key === key);
+  if (found) return found.mesh;
+  const mesh = buildForm(kind, strokes, brush, resolution);
+  shapes.set(strokes, [{ kind, key, mesh }, ...known].slice(0, KEPT_SHAPES));
+  return mesh;
+}
+
+/** of the same strokes: a slider that goes back and forth finds what it showed before */
+const KEPT_SHAPES = 4;
+
 const parts = new WeakMap<Part, Solid | null>();
 
-function solidOf(part: Part): Solid | null {
+/** A kept part as a mesh, where it was moved to; null when its strokes are too short. */
+export function solidOf(part: Part, resolution: Resolution = RESOLUTION): Solid | null {
   const known = parts.get(part);
-  if (known !== undefined) return known;
-  const mesh = buildForm(part.kind, part.strokes, part.brush);
-  const solid = mesh && { id: part.id, kind: part.kind, colour: part.brush.colour, mesh };
-  parts.set(part, solid);
+  if (known !== undefined && resolution === RESOLUTION) return known;
+  const mesh = shapeOf(part, resolution);
+  const { id, name, kind, brush } = part;
+  const solid = mesh && { id, name, kind, colour: brush.colour, mesh: placed(mesh, part.placement) };
+  if (resolution === RESOLUTION) parts.set(part, solid);
   return solid;
 }
 
-/** The kept parts as meshes. */
-export function solids(document: Document): Solid[] {
-  return document.parts.map(solidOf).filter((solid) => solid !== null);
+/** The kept parts that are not hidden, as meshes. */
+export function solids(document: Document, resolution: Resolution = RESOLUTION): Solid[] {
+  const shown = document.parts.filter(({ hidden }) => !hidden);
+  return shown.map((part) => solidOf(part, resolution)).filter((solid) => solid !== null);
 }
 
 const drafts = new WeakMap<readonly Stroke[], { brush: Brush; kind: SurfaceKind; solids: Solid[] }>();
@@ -86,7 +114,7 @@ export function draftSolids(document: Document): Solid[] {
   const forms = kind === 'tube' ? strokes.map((stroke) => [stroke]) : [strokes];
   const found = forms.flatMap((form, i) => {
     const mesh = buildForm(kind, form, document.brush);
-    return mesh ? [{ id: `draft-${i}`, kind, colour: document.brush.colour, mesh }] : [];
+    return mesh ? [{ id: `draft-${i}`, name: '', kind, colour: document.brush.colour, mesh }] : [];
   });
   drafts.set(strokes, { brush: document.brush, kind, solids: found });
   return found;

@@ -2,6 +2,7 @@
  * A document is plain immutable data: the strokes people drew and what they asked for. Surfaces, meshes and
  * pictures are derived (`build.ts`) and never stored, so every stroke stays editable.
  */
+import type { Placement } from '../math/placement.ts';
 import type { FilterOptions } from '../stroke/filter.ts';
 import type { Stroke } from '../stroke/stroke.ts';
 import type { SurfaceKind } from '../surface/index.ts';
@@ -28,6 +29,9 @@ export interface Part {
   readonly kind: SurfaceKind;
   readonly strokes: readonly Stroke[];
   readonly brush: Brush;
+  /** where it was moved to from where it was drawn */
+  readonly placement: Placement;
+  readonly hidden: boolean;
 }
 
 /** The unfinished form: strokes not yet kept. It takes the document's brush until then. */

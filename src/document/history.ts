@@ -9,6 +9,7 @@ interface Step {
   readonly before: Document;
   readonly after: Document;
   readonly words: string;
+  readonly command: Command;
 }
 
 export interface History {
@@ -31,13 +32,20 @@ export function commit(history: History, command: Command): History {
   const { present } = history;
   const after = apply(present, command);
   if (after === present) return history;
-  const step = { before: present, after, words: describe(present, command) };
+  const step = { before: present, after, words: describe(present, command), command };
   return { past: [...history.past.slice(1 - LIMIT), step], present: after, future: [] };
 }
 
 /** What undo would take back, in words; null when there is nothing. */
 export const undoable = (history: History): string | null => history.past.at(-1)?.words ?? null;
 export const redoable = (history: History): string | null => history.future[0]?.words ?? null;
+
+/** The commands that lead from an empty document to the present one: undone steps are not among them. */
+export function scriptOf({ past, present }: History): readonly Command[] {
+  const first = past[0]?.before ?? present;
+  const commands = past.map(({ command }) => command);
+  return first === EMPTY_DOCUMENT ? commands : [{ type: 'load', document: first, name: '' }, ...commands];
+}
 
 export function undo(history: History): History {
   const step = history.past.at(-1);

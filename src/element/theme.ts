@@ -1,5 +1,5 @@
 /** What the system asks for: light or dark, more contrast, less motion. */
-import type { Look } from '../scene/look.ts';
+import type { Look } from '../document/look.ts';
 
 export type Theme = 'light' | 'dark' | 'contrast';
 

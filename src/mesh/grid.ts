@@ -14,7 +14,7 @@
  */
 
 import type { Plane } from '../math/plane.ts';
-import { cross3 } from '../math/tuple.ts';
+import { cross3, length3 } from '../math/tuple.ts';
 import type { Vec3 } from '../math/vec.ts';
 import type { Mesh } from './mesh.ts';
 
@@ -90,7 +90,7 @@ function betweenColumns(normals: Float64Array, columns: number): Float64Array {
     const a = 3 * j;
     const b = 3 * ((j + 1) % columns);
     const sum = [0, 1, 2].map((k) => normals[a + k]! + normals[b + k]!);
-    const length = Math.hypot(...sum);
+    const length = length3(sum as unknown as Vec3);
     // opposite neighbours cancel: then the column's own normal is as good as any
     for (let k = 0; k < 3; k++) out[a + k] = length > 1e-6 ? sum[k]! / length : normals[a + k]!;
   }
@@ -111,7 +111,7 @@ function textureRows(rows: readonly Row[], columns: number): number[] {
 function meanDistance(a: Float64Array, b: Float64Array, columns: number): number {
   let sum = 0;
   for (let k = 0; k < 3 * columns; k += 3) {
-    sum += Math.hypot(a[k]! - b[k]!, a[k + 1]! - b[k + 1]!, a[k + 2]! - b[k + 2]!);
+    sum += length3([a[k]! - b[k]!, a[k + 1]! - b[k + 1]!, a[k + 2]! - b[k + 2]!]);
   }
   return sum / columns;
 }

@@ -1,39 +1,8 @@
-/** How the page may look: styles, papers and inks. Colours are display values (sRGB as written), never linear. */
+/** The colours of papers and inks: display values (sRGB as written), never linear. What may be chosen is in the document's `look`. */
+import type { Background } from '../document/look.ts';
 import type { Vec3 } from '../math/vec.ts';
 
-export type Style = 'toon' | 'gouraud' | 'phong' | 'hbed-lines' | 'hbed-ink';
-export type Background = 'paper' | 'white' | 'blue' | 'black';
-/** The thesis' difference kernels (figure 7.10); auto = the style's own. */
-export type KernelChoice = 'A' | 'B' | 'C' | 'D' | 'auto';
-
-export interface Look {
-  readonly style: Style;
-  readonly background: Background;
-  /** the contour of toon, gouraud and phong */
-  readonly outline: boolean;
-  /** the paper's grain; only the background `paper` has one */
-  readonly grain: boolean;
-  readonly wireframe: boolean;
-  readonly grid: boolean;
-  readonly kernel: KernelChoice;
-  /** threshold of the normal response, 0–1 */
-  readonly creases: number;
-  /** threshold of the depth response, in parts of the scene's bounding sphere */
-  readonly overlaps: number;
-}
-
-export const DEFAULT_LOOK: Look = {
-  style: 'toon',
-  background: 'paper',
-  outline: true,
-  grain: true,
-  wireframe: false,
-  grid: false,
-  kernel: 'auto',
-  // the thesis' values, section 7.2.2
-  creases: 0.15,
-  overlaps: 0.05,
-};
+export { type Background, DEFAULT_LOOK, type KernelChoice, type Look, type Style } from '../document/look.ts';
 
 export const PAPER_COLOUR: Readonly<Record<Background, string>> = {
   paper: '#f6f1e6',

@@ -3,6 +3,7 @@
  * Everything in mm and radians; screen offsets as fractions are named so.
  */
 
+import { FRONT_VIEW } from '../document/drawing.ts';
 import { type Quat, quat, type Vec3, vec3 } from '../math/vec.ts';
 import type { Box } from '../mesh/mesh.ts';
 import type { View } from '../stroke/stroke.ts';
@@ -21,7 +22,7 @@ export const FACE_ROTATION: Readonly<Record<Face, Quat>> = {
   bottom: [HALF, 0, 0, HALF],
 };
 
-export const FRONT_VIEW: View = { pivot: [0, 0, 0], rotation: FACE_ROTATION.front, height: 200, fov: 0 };
+export { FRONT_VIEW };
 
 /** Air around a form that is fitted: its box fills this part of the screen. */
 const FILL = 0.8;

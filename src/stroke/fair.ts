@@ -9,6 +9,7 @@
  * Tried: a fixed λ (what calms a pear also halves a wave of 16 mm); a fixed tolerance of 0.25 mm (half circles of
  * radius 10 mm off by 1.4 %).
  */
+import { distance2 } from '../math/tuple.ts';
 import type { Vec2 } from '../math/vec.ts';
 import { type Basis, combine, spanCount, weightsAt } from './bspline.ts';
 import { fitLeastSquares } from './leastSquares.ts';
@@ -30,7 +31,7 @@ export function fitFair(fine: readonly Vec2[], closed: boolean, count: number, m
   while (stiff - soft > 1) {
     const power = Math.floor((soft + stiff) / 2);
     const candidate = fitLeastSquares(fine, 3, closed, count, powerOfTwo(power));
-    const near = along(candidate, basis, fine.length).every((p, i) => distance(p, plain[i]!) <= tolerance);
+    const near = along(candidate, basis, fine.length).every((p, i) => distance2(p, plain[i]!) <= tolerance);
     if (near) {
       best = candidate;
       soft = power;
@@ -60,4 +61,3 @@ function along(controls: readonly Vec2[], basis: Basis, points: number): Vec2[] 
 }
 
 const square = (x: number) => x * x;
-const distance = (a: Vec2, b: Vec2) => Math.hypot(a[0] - b[0], a[1] - b[1]);

@@ -89,7 +89,7 @@ export function ringNormals({ axis, dCentre, dHalf }: Ring, sense: Sense, circle
   circle.forEach(([cos, sin], j) => {
     let along = sense * -(hx + cos * cx);
     let outward = sense * (cy + cos * hy);
-    let length = Math.hypot(along, outward);
+    let length = length2([along, outward]);
     // the surface stands still here: outward is as good as any direction
     if (!(length > nothing)) [along, outward, length] = [0, 1, 1];
     const radial = (outward / length) * cos;

@@ -10,7 +10,7 @@
  * its volume then counts the overlap. Only a stroke that turns back by 180° to the last bit puts ring on ring, which
  * welding by position cannot tell apart.
  */
-import { add3, scale3 } from '../math/tuple.ts';
+import { add3, length2, scale3 } from '../math/tuple.ts';
 import type { Vec2, Vec3 } from '../math/vec.ts';
 import { emptyMesh, gridMesh, type Row } from '../mesh/grid.ts';
 import type { Mesh } from '../mesh/mesh.ts';
@@ -96,7 +96,7 @@ function sliceRow(slice: Slice, radial: readonly Vec3[], circle: Circle): Row {
   radial.forEach((e, j) => {
     const left = radius * circle[j]![0];
     const speed = Math.max(1 - bend * left, LEAST_SPEED);
-    const length = Math.hypot(speed, flare);
+    const length = length2([speed, flare]);
     points.set(add3(add3(centre, scale3(e, radius)), scale3(tangent, slide * left)), 3 * j);
     normals.set(add3(scale3(e, speed / length), scale3(tangent, -flare / length)), 3 * j);
   });

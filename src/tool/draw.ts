@@ -3,8 +3,10 @@
  * plane through the pivot that faces the camera; one that starts on a surface lies at the depth of that point;
  * all strokes of a form share the plane of its first (thesis ch. 5; the surface under the pen is ours).
  */
+import { joinsDraft } from '../document/command/addStroke.ts';
 import { apply, type Command } from '../document/command/index.ts';
 import type { Document } from '../document/document.ts';
+import { length2 } from '../math/tuple.ts';
 import { facingPlane, onPlane, rayAt } from '../stroke/plane.ts';
 import type { Plane, Sample, Stroke, View } from '../stroke/stroke.ts';
 import type { Bench, Pen, State } from './tool.ts';
@@ -63,8 +65,8 @@ function extend(drawn: Drawn, pen: Pen): Drawn {
   drawn.pens.push(pen);
   return {
     ...drawn,
-    length: drawn.length + Math.hypot(pen.x - last.x, pen.y - last.y),
-    reach: Math.max(drawn.reach, Math.hypot(pen.x - first.x, pen.y - first.y)),
+    length: drawn.length + length2([pen.x - last.x, pen.y - last.y]),
+    reach: Math.max(drawn.reach, length2([pen.x - first.x, pen.y - first.y])),
   };
 }
 
@@ -74,7 +76,7 @@ function isClosing({ pens, length, reach }: Drawn): boolean {
   const first = pens[0];
   const last = pens.at(-1);
   if (!first || !last || reach < 1.5 * tolerance || length < 4 * tolerance) return false;
-  return Math.hypot(last.x - first.x, last.y - first.y) <= tolerance;
+  return length2([last.x - first.x, last.y - first.y]) <= tolerance;
 }
 
 /** The second stroke of a form joins it wherever it starts. */
@@ -116,11 +118,7 @@ function strokeOf(drawn: Drawn, { viewport }: Bench): Stroke | null {
 /** What a finished stroke does to a document: it joins the unfinished form, or keeps that and begins the next. */
 export function plan(document: Document, stroke: Stroke): readonly Command[] {
   const add: Command = { type: 'addStroke', stroke };
-  const first = document.draft?.strokes[0];
-  if (!first) return [add];
-  // An open and a closed stroke have no ends in common: they stay two tubes.
-  const pairs = first.closed === stroke.closed && first.plane === stroke.plane;
-  return joins(document) && pairs ? [add] : [{ type: 'keep' }, add];
+  return !document.draft || joinsDraft(document, stroke) ? [add] : [{ type: 'keep' }, add];
 }
 
 /** A tube from its first 12 px on; a rotational surface once the second stroke is half as long as the first. */
@@ -138,7 +136,7 @@ function pathLength({ samples }: Stroke): number {
   for (let i = 1; i < samples.length; i++) {
     const a = samples[i - 1]!;
     const b = samples[i]!;
-    length += Math.hypot(b.x - a.x, b.y - a.y);
+    length += length2([b.x - a.x, b.y - a.y]);
   }
   return length;
 }

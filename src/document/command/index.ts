@@ -6,10 +6,16 @@ import type { Document } from '../document.ts';
 import { addStroke } from './addStroke.ts';
 import { drop } from './drop.ts';
 import { keep } from './keep.ts';
+import { load } from './load.ts';
+import { moveParts } from './moveParts.ts';
 import { removeAll } from './removeAll.ts';
 import { removeLast } from './removeLast.ts';
+import { removeParts } from './removeParts.ts';
+import { renamePart } from './renamePart.ts';
 import { setBrush } from './setBrush.ts';
+import { setPartBrush } from './setPartBrush.ts';
 import { setTubesOnly } from './setTubesOnly.ts';
+import { showParts } from './showParts.ts';
 
 /** How a command is carried out and named. `Data` is the command without its type. */
 export interface CommandKind<Type extends string, Data> {
@@ -20,7 +26,21 @@ export interface CommandKind<Type extends string, Data> {
   describe(document: Document, command: Data): string;
 }
 
-const kinds = { addStroke, keep, drop, setBrush, setTubesOnly, removeLast, removeAll } as const;
+const kinds = {
+  addStroke,
+  keep,
+  drop,
+  setBrush,
+  setTubesOnly,
+  removeLast,
+  removeAll,
+  removeParts,
+  renamePart,
+  setPartBrush,
+  showParts,
+  moveParts,
+  load,
+} as const;
 
 type Kinds = typeof kinds;
 type Data<K> = K extends CommandKind<string, infer D> ? D : never;

@@ -1,3 +1,4 @@
+import { UNMOVED } from '../../math/placement.ts';
 import { type Document, type Part, readingOf } from '../document.ts';
 import { WORD } from '../words.ts';
 import type { CommandKind } from './index.ts';
@@ -31,6 +32,8 @@ function keptParts(document: Document): Part[] {
       kind,
       strokes: form,
       brush: document.brush,
+      placement: UNMOVED,
+      hidden: false,
     };
   });
 }

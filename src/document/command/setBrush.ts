@@ -9,10 +9,7 @@ export const setBrush: CommandKind<'setBrush', { readonly change: Partial<Brush>
       ? { ...document, brush: { ...document.brush, ...change } }
       : document;
   },
-  describe: (document, { change }) =>
-    changedKeys(document, change)
-      .map((key) => WORDS[key])
-      .join(', '),
+  describe: (document, { change }) => brushWords(changedKeys(document, change)),
 };
 
 const WORDS: Readonly<Record<keyof Brush, string>> = {
@@ -23,6 +20,10 @@ const WORDS: Readonly<Record<keyof Brush, string>> = {
   filter: 'stroke filter',
   levels: 'smoothing',
 };
+
+/** What is changed, in words: "colour, radius". */
+export const brushWords = (keys: readonly (keyof Brush)[]): string =>
+  keys.map((key) => WORDS[key]).join(', ');
 
 function changedKeys(document: Document, change: Partial<Brush>): (keyof Brush)[] {
   return (Object.keys(change) as (keyof Brush)[]).filter((key) => change[key] !== document.brush[key]);

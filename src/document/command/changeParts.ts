@@ -1,0 +1,17 @@
+import type { Document, Part } from '../document.ts';
+
+/** Changes the parts with these ids; the same document when none of them changes. */
+export function changeParts(
+  document: Document,
+  ids: readonly string[],
+  change: (part: Part) => Part,
+): Document {
+  const parts = document.parts.map((part) => (ids.includes(part.id) ? change(part) : part));
+  return parts.some((part, i) => part !== document.parts[i]) ? { ...document, parts } : document;
+}
+
+/** "Stem", or "3 parts". */
+export function nameOf(document: Document, ids: readonly string[]): string {
+  const named = document.parts.filter(({ id }) => ids.includes(id));
+  return named.length === 1 ? named[0]!.name : `${named.length} parts`;
+}
