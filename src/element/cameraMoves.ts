@@ -37,10 +37,10 @@ export class CameraMoves {
     this.#move((rig) => rig.face(axis, true));
   }
 
-  showAll(): void {
+  showAll(animate = true): void {
     const { document } = this.#session;
     const meshes = [...solids(document), ...draftSolids(document)].map(({ mesh }) => mesh);
-    this.#move((rig) => rig.fit(boxOf(meshes), true));
+    this.#move((rig) => rig.fit(boxOf(meshes), animate));
   }
 
   reset(): void {

@@ -9,7 +9,7 @@ import type { Place } from './place.ts';
 import type { Session } from './session.ts';
 import { type ShownStyle, STYLE_NAMES, SURFACE, WORDS } from './words.ts';
 
-export type PanelName = 'settings' | 'menu' | 'palette' | 'help';
+export type PanelName = 'settings' | 'menu' | 'palette' | 'help' | 'file' | 'export' | 'parts';
 
 /** What the controls ask of the element. */
 export interface Actions {

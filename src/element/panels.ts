@@ -2,8 +2,12 @@
 import { html, nothing, type TemplateResult } from 'lit';
 import type { Brush } from '../document/document.ts';
 import { type Background, PAPER_COLOUR } from '../scene/look.ts';
-import { type Actions, iconButton, roving, styleRadios } from './controls.ts';
+import { type Actions, roving, styleRadios } from './controls.ts';
+import { exportPanel } from './exportPanel.ts';
+import { filePanel } from './filePanel.ts';
 import { ball, type IconName, icon } from './icons.ts';
+import { frame, toggle } from './panelFrame.ts';
+import { partsPanel } from './partsPanel.ts';
 import type { Session } from './session.ts';
 import { KEYS } from './words.ts';
 
@@ -47,19 +51,11 @@ export function panel(session: Session, actions: Actions): TemplateResult | type
   if (actions.open === 'palette') return palette(session, actions);
   if (actions.open === 'menu') return menu(session, actions);
   if (actions.open === 'help') return help(actions);
+  if (actions.open === 'file') return filePanel(session, actions);
+  if (actions.open === 'export') return exportPanel(session, actions);
+  if (actions.open === 'parts') return partsPanel(session, actions);
   return nothing;
 }
-
-function frame(title: string, extra: string, actions: Actions, body: TemplateResult): TemplateResult {
-  const close = () => actions.dismiss();
-  return html`<div class="panel card chrome ${extra}" role="dialog" aria-label=${title}>
-    <header><h2>${title}</h2>${iconButton('x', 'Close', close)}</header>
-    ${body}
-  </div>`;
-}
-
-const toggle = (name: string, on: boolean, set: (on: boolean) => void) =>
-  html`<button class="row" role="switch" aria-checked=${on} @click=${() => set(!on)}>${name}<span class="switch"></span></button>`;
 
 function settings(session: Session, actions: Actions): TemplateResult {
   const { look, document } = session;

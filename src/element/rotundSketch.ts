@@ -8,6 +8,7 @@ import type { Document } from '../document/document.ts';
 import type { Scene } from '../scene/index.ts';
 import { isDark, lineColour, PAPER_COLOUR } from '../scene/look.ts';
 import type { Pen } from '../tool/tool.ts';
+import { actionsBar } from './actionsBar.ts';
 import {
   type Actions,
   chip,
@@ -19,12 +20,16 @@ import {
   status,
   topBar,
 } from './controls.ts';
+import { fileTray } from './fileTray.ts';
+import { gallery } from './gallery.ts';
+import { gizmo } from './gizmo.ts';
 import { hint } from './hint.ts';
 import { press } from './keys.ts';
 import { layout } from './layout.ts';
 import { panel } from './panels.ts';
 import { chipPlace, type Place, screenBox } from './place.ts';
 import { PointerRouter, type PointerTarget } from './pointer.ts';
+import { SceneLife, type SceneOwner } from './sceneLife.ts';
 import { Session } from './session.ts';
 import { stepBack } from './stepBack.ts';
 import { PAPER_OF, reducedMotion, systemTheme, type Theme, watchPixelRatio, watchSystem } from './theme.ts';
@@ -58,15 +63,16 @@ export class RotundSketch extends LitElement implements Actions {
   declare open: PanelName | null;
   declare fingersDraw: boolean;
 
-  readonly session = new Session(
-    () => this.requestUpdate(),
-    () => this.#drawn(),
-  );
+  readonly session = new Session({
+    changed: () => this.requestUpdate(),
+    drawn: () => this.#drawn(),
+    committed: () => {},
+    selected: () => {},
+  });
+  readonly #life = new SceneLife(this.#sceneOwner());
   #router: PointerRouter | null = null;
   #sizes: ResizeObserver | null = null;
   #predicted: readonly Pen[] = [];
-  /** counts removals and renewals: what was begun before one must not arrive after it */
-  #life = 0;
   #penSeen = false;
   #media: AbortController | null = null;
   #viewKey = '';
@@ -99,17 +105,17 @@ export class RotundSketch extends LitElement implements Actions {
 
   protected override firstUpdated(): void {
     // After this update: what starts asks for another.
-    const life = this.#life;
-    void this.updateComplete.then(() => this.#life === life && this.#start());
+    void this.updateComplete.then(() => this.isConnected && !this.#router && this.#start());
   }
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
-    this.#life++;
+    this.#life.close();
     this.session.cancel();
     this.#predicted = [];
     this.#media?.abort();
     this.#router?.dispose();
+    this.#router = null;
     this.#sizes?.disconnect();
     this.session.detach();
   }
@@ -121,67 +127,51 @@ export class RotundSketch extends LitElement implements Actions {
     this.#sizes.observe(stage);
     this.#adapt();
     this.#resize();
-    void this.#openScene();
+    void this.#life.open();
   }
 
-  async #openScene(backend = this.backend): Promise<void> {
-    const life = this.#life;
-    try {
-      const { createScene } = await import('../scene/index.ts');
-      if (this.#life !== life) return;
-      const scene = await createScene(this.#find<HTMLCanvasElement>('.picture'), {
-        backend,
-        ...(this.quality === 'fine' ? { lineTexels: FINE_TEXELS } : {}),
-      });
-      if (this.#life !== life) scene.dispose();
-      else this.#show(scene);
-    } catch (error) {
-      if (this.#life === life) await this.#withoutScene(error, backend);
-    }
+  #sceneOwner(): SceneOwner {
+    const sketch = this;
+    return {
+      canvas: () => this.#find<HTMLCanvasElement>('.picture'),
+      freshCanvas: () => {
+        const old = this.#find<HTMLCanvasElement>('.picture');
+        old.replaceWith(old.cloneNode());
+      },
+      get backend() {
+        return sketch.backend;
+      },
+      get lineTexels() {
+        return sketch.quality === 'fine' ? FINE_TEXELS : undefined;
+      },
+      show: (scene) => this.#show(scene),
+      lose: () => this.#lose(),
+      withoutScene: () => this.#withoutScene(),
+    };
   }
 
   #show(scene: Scene): void {
-    this.session.attach(scene);
+    const { session } = this;
+    session.attach(scene);
     this.dataset.backend = scene.backend;
-    if (scene.backend === 'WebGL2') this.session.said = WORDS.webgl2;
-    void scene.lost.then(() => {
-      if (this.session.scene === scene) void this.#renewScene();
-    });
+    if (scene.backend === 'WebGL2') session.said = WORDS.webgl2;
+    if (session.notice?.text === WORDS.lost) session.notice = null;
     this.#adapt();
     this.#resize();
     this.dispatchEvent(new Event('ready'));
   }
 
-  /** There is always a picture: what fails with WebGPU is tried with WebGL2 before anyone is told. */
-  async #withoutScene(error: unknown, tried: 'auto' | 'webgl2'): Promise<void> {
-    console.error(error);
-    if (tried === 'auto') {
-      this.#freshCanvas();
-      await this.#openScene('webgl2');
-      return;
-    }
-    this.session.notice = { text: WORDS.noPicture, actions: [] };
-    this.dataset.backend = 'none';
-    this.requestUpdate();
-  }
-
-  /** A canvas that had one context, or lost it with its device, gives no other one. */
-  #freshCanvas(): void {
-    const old = this.#find<HTMLCanvasElement>('.picture');
-    old.replaceWith(old.cloneNode());
-  }
-
-  /** The strokes are the truth and none of them is on the device: a new scene shows them again, also in mid-stroke. */
-  async #renewScene(): Promise<void> {
+  #lose(): void {
     const { session } = this;
-    this.#life++;
     session.notice = { text: WORDS.lost, actions: [] };
     session.detach();
     session.update();
-    this.#freshCanvas();
-    await this.#openScene();
-    if (session.scene && session.notice?.text === WORDS.lost) session.notice = null;
-    session.update();
+  }
+
+  #withoutScene(): void {
+    this.session.notice = { text: WORDS.noPicture, actions: [] };
+    this.dataset.backend = 'none';
+    this.requestUpdate();
   }
 
   #find<T extends Element>(selector: string): T {
@@ -222,8 +212,9 @@ export class RotundSketch extends LitElement implements Actions {
         <canvas class="ink"></canvas>
       </div>
       <span id="keys" class="hidden">Press ? for keys and gestures.</span>
-      ${empty ? hint() : nothing}
-      ${topBar(session, this)} ${rail(session, this)} ${meter(session)} ${chip(session, this)} ${status(session)}
+      ${gizmo(session, this)} ${empty ? html`${hint()}${gallery(session, this)}` : nothing}
+      ${topBar(session, this)} ${fileTray(session, this)} ${rail(session, this)} ${meter(session)}
+      ${actionsBar(session, this)} ${chip(session, this)} ${status(session)}
       ${viewBall(session.view, this.#ballActions())} ${notice(session)} ${panel(session, this)}
     </div>`;
   }

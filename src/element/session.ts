@@ -4,18 +4,29 @@
  * does the work, and wet ink is drawn before it.
  */
 import { draftSolids, type Solid, solids } from '../document/build.ts';
-import { apply, type Command, describe } from '../document/command/index.ts';
-import { type Brush, type Document, readingOf } from '../document/document.ts';
-import { commit, type History, newHistory, redo, redoable, undo, undoable } from '../document/history.ts';
+import { apply, type Command } from '../document/command/index.ts';
+import { type Brush, type Document, EMPTY_DOCUMENT, readingOf } from '../document/document.ts';
+import { type Drawing, FRONT_VIEW } from '../document/drawing.ts';
+import {
+  commit,
+  type History,
+  newHistory,
+  redo,
+  redoable,
+  scriptOf,
+  undo,
+  undoable,
+} from '../document/history.ts';
+import { type Background, DEFAULT_LOOK, type Look, type Style } from '../document/look.ts';
 // Only the pure parts of the scene at once: three.js is fetched when there is a page to draw on.
 import type { Scene } from '../scene/index.ts';
-import { type Background, DEFAULT_LOOK, type Look, type Style } from '../scene/look.ts';
-import { FRONT_VIEW } from '../scene/view.ts';
 import type { View } from '../stroke/stroke.ts';
 import { idle } from '../tool/draw.ts';
+import { selecting } from '../tool/select.ts';
 import type { Bench, Pen, State, Notice as ToolNotice } from '../tool/tool.ts';
 import type { Viewport } from '../tool/viewport.ts';
 import { CameraMoves } from './cameraMoves.ts';
+import { spoken } from './speech.ts';
 import { SURFACE, WORDS } from './words.ts';
 
 /** ms: a preview that takes longer is not made in every frame */
@@ -28,10 +39,30 @@ export interface Notice {
   readonly actions: readonly { readonly label: string; run(): void }[];
 }
 
+export const TOOLS = { draw: idle, select: selecting } as const;
+export type ToolName = keyof typeof TOOLS;
+
+/** What a change came from. */
+export type Cause = 'command' | 'undo' | 'redo';
+
+export interface Hooks {
+  /** the controls are stale */
+  changed(): void;
+  /** a frame was drawn: now what lies on it */
+  drawn(): void;
+  /** the document is another one; undo and redo carry no commands */
+  committed(commands: readonly Command[], cause: Cause): void;
+  selected(ids: readonly string[]): void;
+}
+
 export class Session implements Bench, Viewport {
   history: History = newHistory();
   scene: Scene | null = null;
+  tool: ToolName = 'draw';
   state: State = idle;
+  selection: readonly string[] = [];
+  /** of the drawing, for the tray and for files */
+  name = '';
   look: Look = DEFAULT_LOOK;
   size = { width: 1, height: 1 };
   /** last event, the words of the status line and the live region */
@@ -53,13 +84,12 @@ export class Session implements Bench, Viewport {
   #stale = true;
   #frame = 0;
   #last = 0;
-  readonly #changed: () => void;
-  readonly #draw: () => void;
+  /** the whole form is to be seen as soon as there is a scene */
+  #fit = false;
+  readonly #hooks: Hooks;
 
-  /** `changed` redraws the controls, `draw` what lies on the canvas. */
-  constructor(changed: () => void, draw: () => void) {
-    this.#changed = changed;
-    this.#draw = draw;
+  constructor(hooks: Hooks) {
+    this.#hooks = hooks;
   }
 
   get document(): Document {
@@ -84,11 +114,94 @@ export class Session implements Bench, Viewport {
   commit(commands: readonly Command[]): void {
     this.#clearPassing();
     this.#radius = null;
+    const before = this.document;
     for (const command of commands) {
-      this.#say(command);
+      this.said = spoken(this.document, command) ?? this.said;
       this.history = commit(this.history, command);
     }
     if (commands.some(({ type }) => type === 'addStroke' || type === 'setTubesOnly')) this.#sayPreview();
+    this.#replaced(before, commands, 'command');
+  }
+
+  /** The document may be another one: what hangs on it follows, and whoever listens hears of it. */
+  #replaced(before: Document, commands: readonly Command[], cause: Cause): void {
+    this.update();
+    if (this.document === before) return;
+    this.select(this.selection);
+    this.#hooks.committed(commands, cause);
+  }
+
+  // ── files ───────────────────────────────────────────────────────────────────────────────────────────
+
+  /** As it would be saved: with how one looks at it now. */
+  get drawing(): Drawing {
+    return { name: this.name, document: this.document, view: this.view, look: this.look };
+  }
+
+  /** The commands that lead from an empty document to this one. */
+  get script(): readonly Command[] {
+    return scriptOf(this.history);
+  }
+
+  /**
+   * Another drawing in place of this one, as one undo step. `fit` shows all of it from where it was last looked at;
+   * otherwise the view is the stored one to the bit. `fresh` forgets the history: for what was there from the start.
+   */
+  open(drawing: Drawing, { fit = true, fresh = false } = {}): void {
+    this.cancel();
+    const { document, name } = drawing;
+    const before = this.document;
+    this.name = name;
+    this.setLook(drawing.look);
+    this.choseBackground = true;
+    this.#setView(drawing.view, fit);
+    if (fresh) {
+      this.history = newHistory(document);
+      this.#replaced(before, [], 'command');
+    } else this.commit([{ type: 'load', document, name }]);
+  }
+
+  /** An empty page, as one undo step. */
+  clear(): void {
+    this.cancel();
+    this.name = '';
+    if (this.document !== EMPTY_DOCUMENT) this.commit([{ type: 'load', document: EMPTY_DOCUMENT, name: '' }]);
+    this.camera.reset();
+  }
+
+  #setView(view: View, fit: boolean): void {
+    this.#lastView = view;
+    this.#fit = fit;
+    this.scene?.rig.setView(view, false);
+  }
+
+  // ── selection and tools ─────────────────────────────────────────────────────────────────────────────
+
+  /** Ids that no part has are left out. */
+  select(ids: readonly string[]): void {
+    const known = this.document.parts.map(({ id }) => id).filter((id) => ids.includes(id));
+    const same = known.length === this.selection.length && known.every((id, i) => id === this.selection[i]);
+    if (same) return;
+    this.selection = known;
+    this.scene?.select(known);
+    this.update();
+    this.#hooks.selected(known);
+  }
+
+  /** Words for a selection a person made. */
+  saySelection(): void {
+    const { parts } = this.document;
+    const names = parts.filter(({ id }) => this.selection.includes(id)).map(({ name }) => name);
+    this.said = WORDS.selected(names, parts.length);
+    this.update();
+  }
+
+  /** Drawing deselects. */
+  setTool(tool: ToolName): void {
+    this.cancel();
+    this.tool = tool;
+    this.state = TOOLS[tool];
+    if (tool === 'draw') this.select([]);
     this.update();
   }
 
@@ -96,21 +209,6 @@ export class Session implements Bench, Viewport {
   run(command: Command): void {
     this.cancel();
     this.commit([command]);
-  }
-
-  #say(command: Command): void {
-    const { document } = this;
-    const kind = readingOf(document);
-    const made = document.tubesOnly ? (document.draft?.strokes.length ?? 0) : 1;
-    if (command.type === 'keep' && kind) this.said = WORDS.kept(kind, document.parts.length + made);
-    if (command.type === 'drop') this.said = WORDS.dropped;
-    if (command.type === 'setBrush') this.said = WORDS.changed(describe(document, command));
-    if (command.type === 'removeLast')
-      this.said = document.parts.length ? WORDS.deleted(1) : WORDS.nothingToDelete;
-    if (command.type === 'removeAll') {
-      const count = document.parts.length + (document.draft ? 1 : 0);
-      this.said = count ? WORDS.deleted(count) : WORDS.nothingToDelete;
-    }
   }
 
   #sayPreview(): void {
@@ -160,8 +258,9 @@ export class Session implements Bench, Viewport {
     const words = undoable(this.history);
     this.said = words ? WORDS.undone(words) : WORDS.nothingToUndo;
     this.#clearPassing();
+    const before = this.document;
     this.history = undo(this.history);
-    this.update();
+    this.#replaced(before, [], 'undo');
   }
 
   redo(): void {
@@ -169,8 +268,9 @@ export class Session implements Bench, Viewport {
     const words = redoable(this.history);
     this.said = words ? WORDS.redone(words) : WORDS.nothingToRedo;
     this.#clearPassing();
+    const before = this.document;
     this.history = redo(this.history);
-    this.update();
+    this.#replaced(before, [], 'redo');
   }
 
   #clearPassing(): void {
@@ -193,7 +293,7 @@ export class Session implements Bench, Viewport {
 
   up(): void {
     this.#to(this.state.up?.(this));
-    this.#changed();
+    this.#hooks.changed();
   }
 
   /** The stroke or the drag under way goes; true when there was one. */
@@ -206,7 +306,7 @@ export class Session implements Bench, Viewport {
     }
     const before = this.state;
     this.#to(this.state.cancel());
-    this.#changed();
+    this.#hooks.changed();
     return before !== this.state;
   }
 
@@ -259,6 +359,7 @@ export class Session implements Bench, Viewport {
     this.scene = scene;
     scene.rig.setView(this.#lastView, false);
     scene.setLook(this.look);
+    scene.select(this.selection);
     this.update();
   }
 
@@ -273,7 +374,7 @@ export class Session implements Bench, Viewport {
   /** Something the picture shows has changed; `controls`: the controls too. */
   update(controls = true): void {
     this.#stale = true;
-    if (controls) this.#changed();
+    if (controls) this.#hooks.changed();
     this.wake();
   }
 
@@ -290,7 +391,7 @@ export class Session implements Bench, Viewport {
     const moving = this.scene?.rig.update(seconds) ?? false;
     if (this.#stale && this.#due) this.#sync();
     this.scene?.render();
-    this.#draw();
+    this.#hooks.drawn();
     if (moving || this.#stale) this.wake();
   }
 
@@ -305,6 +406,11 @@ export class Session implements Bench, Viewport {
     this.#stale = false;
     this.#synced = performance.now();
     this.scene?.sync(this.#solids(this.shown()).map(({ solid, preview }) => ({ ...solid, preview })));
+    // Fitting needs the size of the picture as well as the parts.
+    if (this.#fit && this.scene && this.size.width > 1) {
+      this.#fit = false;
+      this.camera.showAll(false);
+    }
   }
 
   /** A preview that took long waits its turn: the pen has the time before it. */

@@ -23,8 +23,17 @@ export const WORDS = {
   redone: (what: string) => `Redone: ${what}`,
   nothingToUndo: 'Nothing to undo',
   nothingToRedo: 'Nothing to redo',
-  deleted: (count: number) =>
-    `${count === 1 ? 'Last part' : `All ${count} parts`} deleted. Undo brings ${count === 1 ? 'it' : 'them'} back`,
+  deleted: (names: readonly string[]) =>
+    names.length === 1
+      ? `${names[0]} deleted. Undo brings it back`
+      : `${names.length} parts deleted. Undo brings them back`,
+  opened: (name: string) => (name ? `${name} opened` : 'Opened'),
+  selected: (names: readonly string[], of: number) =>
+    names.length === 0
+      ? 'Nothing selected'
+      : names.length === 1
+        ? `${names[0]} selected, 1 of ${of}`
+        : `${names.length} parts selected`,
   nothingToDelete: 'Nothing to delete',
   changed: (what: string) => `Changed: ${what}`,
   radius: (mm: number) => `Tube radius ${mm} mm`,

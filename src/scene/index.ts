@@ -1,5 +1,6 @@
 /** The picture: items in, pixels out. The only folder that knows three.js. */
 import type { DeviceDescription } from '../gpu/device.ts';
+import type { View } from '../stroke/stroke.ts';
 import { CameraRig } from './cameraRig.ts';
 import type { Look } from './look.ts';
 import type { SceneItem } from './part.ts';
@@ -39,9 +40,22 @@ export interface Scene {
   pick(x: number, y: number): Hit | null;
   /** One frame, now. */
   render(): void;
+  /** The parts with a blue contour. */
+  select(ids: readonly string[]): void;
+  /** A picture of any size, without disturbing the one on the screen: kept parts only, nothing selected. */
+  picture(options: PictureOptions): Promise<ImageData>;
   /** Draws a frame and resolves when it is on the screen with all its pipelines compiled. */
   compile(): Promise<void>;
   dispose(): void;
+}
+
+export interface PictureOptions {
+  /** pixels */
+  readonly width: number;
+  readonly height: number;
+  readonly view: View;
+  readonly look: Look;
+  readonly items: readonly SceneItem[];
 }
 
 export interface SceneOptions {
@@ -87,6 +101,8 @@ export async function createScene(canvas: HTMLCanvasElement, options: SceneOptio
     },
     pick: (x, y) => pick(pipeline.parts.all(), rig.camera, (2 * x) / width - 1, 1 - (2 * y) / height),
     render: () => pipeline.render(rig.camera, rig.view()),
+    select() {},
+    picture: () => Promise.reject(new Error('not yet')),
     async compile() {
       scene.render();
       await device?.queue.onSubmittedWorkDone();

@@ -18,6 +18,8 @@ export interface Pen {
   /** ms, any origin */
   readonly time: number;
   readonly pointer: Stroke['pointer'];
+  /** Shift or Ctrl/⌘ is held: adds to what is selected */
+  readonly adds?: boolean;
 }
 
 /** What a tool has to tell; the words are the interface's. */
@@ -27,6 +29,9 @@ export type Notice = 'too-short' | 'edge-on';
 export interface Bench {
   readonly document: Document;
   readonly viewport: Viewport;
+  /** ids of the parts that are selected, in the document's order */
+  readonly selection: readonly string[];
+  select(ids: readonly string[]): void;
   commit(commands: readonly Command[]): void;
   notify(notice: Notice): void;
 }

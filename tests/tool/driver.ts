@@ -14,6 +14,7 @@ export class Driver implements Bench {
   readonly size = { width: 800, height: 600 };
   readonly notices: Notice[] = [];
   hit: Hit | null = null;
+  selection: readonly string[] = [];
 
   get document(): Document {
     return this.history.present;
@@ -29,6 +30,10 @@ export class Driver implements Bench {
 
   commit(commands: readonly Command[]): void {
     this.history = commands.reduce(commit, this.history);
+  }
+
+  select(ids: readonly string[]): void {
+    this.selection = ids;
   }
 
   notify(notice: Notice): void {

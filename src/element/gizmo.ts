@@ -1,0 +1,8 @@
+/** The handles on the selected parts. */
+import { nothing, type TemplateResult } from 'lit';
+import type { Actions } from './controls.ts';
+import type { Session } from './session.ts';
+
+export function gizmo(_session: Session, _actions: Actions): TemplateResult | typeof nothing {
+  return nothing;
+}

@@ -1,0 +1,47 @@
+/** What the status line says of a command; `document` is the one before it. Null: nothing worth saying. */
+import { type Command, describe } from '../document/command/index.ts';
+import { type Document, readingOf } from '../document/document.ts';
+import { WORDS } from './words.ts';
+
+export function spoken(document: Document, command: Command): string | null {
+  switch (command.type) {
+    case 'keep':
+      return kept(document);
+    case 'drop':
+      return WORDS.dropped;
+    case 'removeLast':
+      return deleted(
+        document,
+        document.parts.slice(-1).map(({ name }) => name),
+      );
+    case 'removeAll':
+      return deleted(
+        document,
+        document.parts.map(({ name }) => name),
+      );
+    case 'removeParts':
+      return deleted(document, names(document, command.ids));
+    case 'addStroke':
+    case 'setTubesOnly':
+      return null;
+    case 'load':
+      return WORDS.opened(command.name);
+    default:
+      return WORDS.changed(describe(document, command));
+  }
+}
+
+function kept(document: Document): string | null {
+  const kind = readingOf(document);
+  if (!kind) return null;
+  const made = kind === 'tube' ? (document.draft?.strokes.length ?? 0) : 1;
+  return WORDS.kept(kind, document.parts.length + made);
+}
+
+const names = (document: Document, ids: readonly string[]) =>
+  document.parts.filter(({ id }) => ids.includes(id)).map(({ name }) => name);
+
+function deleted(document: Document, parts: readonly string[]): string {
+  if (parts.length === 0) return document.draft ? WORDS.dropped : WORDS.nothingToDelete;
+  return WORDS.deleted(parts);
+}
