@@ -5,9 +5,18 @@ export default defineConfig({
   base: './',
   // Under test a change on disk must not reload the page in the middle of a stroke.
   server: process.env.ROTUND_TEST ? { hmr: false, watch: null } : { port: 5173 },
-  build: { target: 'es2022', chunkSizeWarningLimit: 1200 },
+  build: { outDir: 'dist/app', target: 'es2022', chunkSizeWarningLimit: 1200 },
   // Known at the start: found late, they would reload the page under a stroke.
   optimizeDeps: {
-    include: ['three/webgpu', 'three/tsl', 'three-mesh-bvh', 'camera-controls', 'gl-matrix', 'lit'],
+    include: [
+      'three/webgpu',
+      'three/tsl',
+      'three-mesh-bvh',
+      'camera-controls',
+      'gl-matrix',
+      'lit',
+      'idb',
+      'browser-fs-access',
+    ],
   },
 });

@@ -1,4 +1,4 @@
-// npm run pictures: draws with a pen in Chromium and renders every style into docs/pictures.
+// npm run pictures: renders the samples in every style, and the application, into docs/pictures; thumbnails into public/samples.
 import { installPackages, needChromium, run } from './prepare.mjs';
 
 installPackages();

@@ -8,10 +8,13 @@ import { findChromium } from './chromium.mjs';
 export const root = fileURLToPath(new URL('..', import.meta.url));
 process.chdir(root);
 
+/** Output that is no result goes to standard error, and standard input is left to whom it is meant for. */
+export const ASIDE = ['ignore', 2, 2];
+
 /** Runs a command with the terminal attached; returns its exit status. */
-export function run(command, args, environment = {}) {
+export function run(command, args, environment = {}, stdio = 'inherit') {
   const result = spawnSync(command, args, {
-    stdio: 'inherit',
+    stdio,
     env: { ...process.env, ...environment },
     shell: process.platform === 'win32',
   });
@@ -29,9 +32,11 @@ export function installPackages() {
   const stamp = 'node_modules/.rotund-lock';
   const lock = createHash('sha256').update(readFileSync('package-lock.json')).digest('hex');
   if (existsSync(stamp) && readFileSync(stamp, 'utf8') === lock) return;
-  console.log('Installing packages …');
+  console.error('Installing packages …');
   // The packages' own install scripts are not needed by any of ours.
-  if (run('npm', ['ci', '--ignore-scripts', '--no-fund', '--no-audit', '--loglevel=error']) !== 0) {
+  if (
+    run('npm', ['ci', '--ignore-scripts', '--no-fund', '--no-audit', '--loglevel=error'], {}, ASIDE) !== 0
+  ) {
     console.error('npm ci failed; the lines above say why.');
     process.exit(1);
   }

@@ -6,6 +6,7 @@ import {
   type Hit,
   type Look,
   type Scene,
+  type SceneItem,
   type Style,
 } from '../../src/scene/index.ts';
 import type { View } from '../../src/stroke/stroke.ts';
@@ -40,6 +41,8 @@ declare global {
   interface Window {
     /** Data address of a PNG with one pixel a device pixel. */
     drawPicture(picture: Picture): Promise<string>;
+    /** Pictures for files, all asked for in one task, while `shown` is on the screen: data addresses of PNGs. */
+    takePictures(shown: Picture, wanted: readonly Picture[]): Promise<readonly string[]>;
     backendOf(wanted: 'auto' | 'webgl2'): Promise<string>;
     pickIn(picture: Picture, x: number, y: number): Promise<Hit | null>;
     /** Frame times of the pear at 800 × 600 CSS pixels. */
@@ -62,35 +65,57 @@ function open(backend: 'auto' | 'webgl2') {
   return opened;
 }
 
+const items = (picture: Picture): SceneItem[] =>
+  picture.things.map(({ form, colour, preview }, i) => ({
+    id: String(i),
+    mesh: makeMesh(form),
+    colour: colour ?? '#d9cb4a',
+    preview: preview ?? false,
+  }));
+const sizeOf = ({ size = [300, 300] }: Picture) => size;
+const lookOf = ({ look }: Picture): Look => ({ ...DEFAULT_LOOK, ...look });
+const viewOf = ({ view }: Picture): View => ({ ...FRONT_VIEW, ...view });
+
 async function setUp(picture: Picture) {
   const { scene, canvas } = await open(picture.backend ?? 'auto');
-  const [width, height] = picture.size ?? [300, 300];
+  const [width, height] = sizeOf(picture);
   canvas.style.width = `${width}px`;
   canvas.style.height = `${height}px`;
   scene.resize(width, height, picture.pixelRatio ?? 1);
-  scene.sync(
-    picture.things.map(({ form, colour, preview }, i) => ({
-      id: String(i),
-      mesh: makeMesh(form),
-      colour: colour ?? '#d9cb4a',
-      preview: preview ?? false,
-    })),
-  );
-  scene.setLook({ ...DEFAULT_LOOK, ...picture.look });
-  scene.rig.setView({ ...FRONT_VIEW, ...picture.view }, false);
+  scene.sync(items(picture));
+  scene.setLook(lookOf(picture));
+  scene.rig.setView(viewOf(picture), false);
   return { scene, canvas };
+}
+
+function png(width: number, height: number, draw: (context: CanvasRenderingContext2D) => void): string {
+  const copy = document.createElement('canvas');
+  copy.width = width;
+  copy.height = height;
+  const context = copy.getContext('2d');
+  if (!context) throw new Error('no 2D canvas');
+  draw(context);
+  return copy.toDataURL('image/png');
 }
 
 window.drawPicture = async (picture) => {
   const { scene, canvas } = await setUp(picture);
-  const copy = document.createElement('canvas');
-  copy.width = canvas.width;
-  copy.height = canvas.height;
-  const context = copy.getContext('2d');
-  // In the task that drew it the canvas still holds its picture.
-  scene.render();
-  context?.drawImage(canvas, 0, 0);
-  return copy.toDataURL('image/png');
+  return png(canvas.width, canvas.height, (context) => {
+    // In the task that drew it the canvas still holds its picture.
+    scene.render();
+    context.drawImage(canvas, 0, 0);
+  });
+};
+
+window.takePictures = async (shown, wanted) => {
+  const { scene } = await setUp(shown);
+  const taken = wanted.map(async (picture) => {
+    const [width, height] = sizeOf(picture);
+    const options = { width, height, view: viewOf(picture), look: lookOf(picture), items: items(picture) };
+    const image = await scene.picture(options);
+    return png(width, height, (context) => context.putImageData(image, 0, 0));
+  });
+  return Promise.all(taken);
 };
 
 window.backendOf = async (wanted) => (await open(wanted)).scene.backend;

@@ -69,8 +69,25 @@ export class Image {
 export async function draw(page: Page, picture: Picture): Promise<Image> {
   await ready(page);
   const address = await page.evaluate((wanted) => window.drawPicture(wanted), picture);
-  const png = PNG.sync.read(Buffer.from(address.slice(address.indexOf(',') + 1), 'base64'));
-  return new Image(png, picture);
+  return decode(address, picture);
+}
+
+/** Pictures as for files, while another one is on the screen. */
+export async function take(
+  page: Page,
+  shown: Picture,
+  wanted: readonly Picture[],
+): Promise<readonly Image[]> {
+  await ready(page);
+  const taken = await page.evaluate(([screen, pictures]) => window.takePictures(screen, pictures), [
+    shown,
+    wanted,
+  ] as const);
+  return taken.map((address, i) => decode(address, wanted[i] ?? shown));
+}
+
+function decode(address: string, picture: Picture): Image {
+  return new Image(PNG.sync.read(Buffer.from(address.slice(address.indexOf(',') + 1), 'base64')), picture);
 }
 
 export async function openScenePage(page: Page): Promise<void> {

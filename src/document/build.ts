@@ -70,7 +70,8 @@ interface Shape {
 // By strokes, so that a part that is moved, hidden, named or coloured is not filtered and meshed again.
 const shapes = new WeakMap<readonly Stroke[], Shape[]>();
 
-function shapeOf({ kind, strokes, brush }: Part, resolution: Resolution): Mesh | null {
+/** A kept part where it was drawn; null when its strokes are too short. */
+export function shapeOf({ kind, strokes, brush }: Part, resolution: Resolution = RESOLUTION): Mesh | null {
   const key = JSON.stringify([{ ...brush, colour: '' }, resolution]);
   const known = shapes.get(strokes) ?? [];
   const found = known.find((shape) => shape.kind === kind && shape.key === key);
@@ -100,6 +101,19 @@ export function solidOf(part: Part, resolution: Resolution = RESOLUTION): Solid 
 export function solids(document: Document, resolution: Resolution = RESOLUTION): Solid[] {
   const shown = document.parts.filter(({ hidden }) => !hidden);
   return shown.map((part) => solidOf(part, resolution)).filter((solid) => solid !== null);
+}
+
+/** Keeping the unfinished form would make only parts that can be seen. */
+export function draftIsWhole(document: Document): boolean {
+  const kind = readingOf(document);
+  if (kind === null) return true;
+  const forms = kind === 'tube' ? (document.draft?.strokes.length ?? 0) : 1;
+  try {
+    const found = draftSolids(document);
+    return found.length === forms && found.every(({ mesh }) => mesh.indices.length > 0);
+  } catch {
+    return false;
+  }
 }
 
 const drafts = new WeakMap<readonly Stroke[], { brush: Brush; kind: SurfaceKind; solids: Solid[] }>();

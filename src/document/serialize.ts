@@ -1,45 +1,96 @@
-/** Files: a drawing or a script as text, and back. (Being written: validation follows.) */
+/**
+ * Files: a drawing or a script as text, and back. Everything from outside is checked here, once; inside, types are
+ * trusted. A script is carried out command by command, so that a command that does not fit is named. The format is
+ * described in `docs/format.md`.
+ */
+import { applyChecked, checked } from './check.ts';
 import { apply, type Command } from './command/index.ts';
 import { type Document, EMPTY_DOCUMENT } from './document.ts';
-import { type Drawing, EMPTY_DRAWING, FRONT_VIEW } from './drawing.ts';
+import type { Drawing } from './drawing.ts';
+import { FRONT_VIEW } from './drawing.ts';
+import { FileError, shown } from './fileError.ts';
+import {
+  commands as commandsSchema,
+  DOCUMENT_FORMAT,
+  documentFile,
+  SCRIPT_FORMAT,
+  scriptFile,
+  VERSION,
+} from './fileSchema.ts';
+import { readJson } from './json.ts';
+import { layout } from './layout.ts';
+import { LIMITS } from './limits.ts';
 import { DEFAULT_LOOK } from './look.ts';
+import { writtenCommand, writtenDocument, writtenLook, writtenView } from './written.ts';
 
-/** What is wrong with a file, in one sentence: which file, where in it, what was expected and what was found. */
-export class FileError extends Error {
-  override readonly name = 'FileError';
-  /** of the file */
-  readonly file: string;
-  /** e.g. `document.parts[2].brush.radius`, or `line 3, column 14`; '' = the whole file */
-  readonly place: string;
-
-  constructor(file: string, place: string, message: string) {
-    super(place ? `${file}, ${place}: ${message}` : `${file}: ${message}`);
-    this.file = file;
-    this.place = place;
-  }
-}
+export { checkCommand, checkCommands, checkDocument, checkDrawing, checkStroke } from './check.ts';
+export { FileError } from './fileError.ts';
 
 /** Reads a document or a script; `file` is what messages call it. Throws FileError, never anything else. */
 export function parse(text: string, file: string): Drawing {
   try {
-    const data = JSON.parse(text);
-    const named = file.replace(/^.*[\\/]|\.(rotund|json)$/g, '');
-    if (Array.isArray(data)) return { ...EMPTY_DRAWING, name: named, document: replay(data) };
-    const { name = named, view = FRONT_VIEW, look = DEFAULT_LOOK } = data;
-    return { name, view, look, document: data.document ?? replay(data.commands) };
+    return read(readJson(text, file), file);
   } catch (error) {
-    throw new FileError(file, '', String(error));
+    if (error instanceof FileError) throw error;
+    throw new FileError(
+      file,
+      '',
+      `expected a file that this machine has room for, found ${shown(String(error))}`,
+    );
   }
 }
 
+function read(data: object, file: string): Drawing {
+  const ownName = nameOf(file);
+  if (Array.isArray(data)) {
+    const commands = checked(commandsSchema, data, { file, path: ['commands'] });
+    return { name: ownName, view: FRONT_VIEW, look: DEFAULT_LOOK, document: carriedOut(commands, file) };
+  }
+  const format = formatOf(data as { format?: unknown; version?: unknown }, file);
+  if (format === SCRIPT_FORMAT) {
+    const { name = ownName, view, look, commands } = checked(scriptFile, data, { file });
+    return { name, view, look, document: carriedOut(commands, file) };
+  }
+  const { name = ownName, view, look, document } = checked(documentFile, data, { file });
+  return { name, view, look, document };
+}
+
+/** Version first: what else a newer file has is not for us to judge. */
+function formatOf({ format, version }: { format?: unknown; version?: unknown }, file: string): string {
+  if (format !== DOCUMENT_FORMAT && format !== SCRIPT_FORMAT) {
+    const expected = `expected "${DOCUMENT_FORMAT}" or "${SCRIPT_FORMAT}", found ${shown(format)}`;
+    throw new FileError(file, 'format', `not a Rotund file: ${expected}`);
+  }
+  if (Number.isInteger(version) && (version as number) > VERSION) {
+    const message = `is version ${version}; this program reads up to ${VERSION}.`;
+    throw new FileError(file, 'version', message, `${file} ${message}`);
+  }
+  return format;
+}
+
+function carriedOut(commands: readonly Command[], file: string): Document {
+  return commands.reduce(
+    (document, command, i) => applyChecked(document, command, { file, path: ['commands', i] }),
+    EMPTY_DOCUMENT,
+  );
+}
+
+/** Without folders and ending. */
+export const nameOf = (file: string): string =>
+  [...file.replace(/^.*[\\/]|\.(rotund|json)$/gs, '')].slice(0, LIMITS.drawingName).join('');
+
 /** The text of a `.rotund` file. */
-export function serialize({ name, view, look, document }: Drawing): string {
-  return JSON.stringify({ format: 'rotund', version: 1, name, view, look, document });
+export function serialize(drawing: Drawing): string {
+  return layout({ ...head(DOCUMENT_FORMAT, drawing), document: writtenDocument(drawing.document) });
 }
 
 /** The text of a script: commands that make the document from an empty one. */
-export function serializeScript(commands: readonly Command[], { name, view, look }: Drawing): string {
-  return JSON.stringify({ format: 'rotund-script', version: 1, name, view, look, commands });
+export function serializeScript(commands: readonly Command[], drawing: Drawing): string {
+  return layout({ ...head(SCRIPT_FORMAT, drawing), commands: commands.map(writtenCommand) });
+}
+
+function head(format: string, { name, view, look }: Drawing) {
+  return { format, version: VERSION, unit: 'mm', name, view: writtenView(view), look: writtenLook(look) };
 }
 
 export function replay(commands: readonly Command[], from: Document = EMPTY_DOCUMENT): Document {

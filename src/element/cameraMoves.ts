@@ -43,6 +43,12 @@ export class CameraMoves {
     this.#move((rig) => rig.fit(boxOf(meshes), animate));
   }
 
+  /** Comes to where these parts fill the picture. */
+  show(ids: readonly string[]): void {
+    const meshes = solids(this.#session.document).filter(({ id }) => ids.includes(id));
+    if (meshes.length > 0) this.#move((rig) => rig.fit(boxOf(meshes.map(({ mesh }) => mesh)), true));
+  }
+
   reset(): void {
     this.#move((rig) => rig.reset(true));
   }
@@ -54,14 +60,14 @@ export class CameraMoves {
 
   #move(move: (rig: CameraRig) => void): void {
     const { scene, state } = this.#session;
-    if (!scene || state.wet) return;
+    if (!scene || state.wet || state.still) return;
     move(scene.rig);
     this.#session.wake();
   }
 }
 
 /** The box around all of them; null around nothing. */
-function boxOf(meshes: readonly Mesh[]): Box | null {
+export function boxOf(meshes: readonly Mesh[]): Box | null {
   if (meshes.length === 0) return null;
   const boxes = meshes.map(bounds);
   const over = (pick: (a: number, b: number) => number, corner: 'min' | 'max'): Vec3 => {

@@ -1,20 +1,24 @@
 /** The floating controls around the drawing, as templates: what they show comes from the session, what they do goes to `Actions`. */
 import { html, nothing, type TemplateResult } from 'lit';
 import { live } from 'lit/directives/live.js';
-import { draftSolids } from '../document/build.ts';
 import { RADIUS_RANGE, readingOf } from '../document/document.ts';
 import { redoable, undoable } from '../document/history.ts';
+import { draftProblem } from './draftProblem.ts';
+import type { Files } from './files.ts';
 import { ball, type IconName, icon, wordmark } from './icons.ts';
 import type { Place } from './place.ts';
 import type { Session } from './session.ts';
-import { type ShownStyle, STYLE_NAMES, SURFACE, WORDS } from './words.ts';
+import { PART_WORDS, type ShownStyle, STYLE_NAMES, SURFACE, WORDS } from './words.ts';
 
-export type PanelName = 'settings' | 'menu' | 'palette' | 'help' | 'file' | 'export' | 'parts';
+export type PanelName = 'settings' | 'menu' | 'palette' | 'help' | 'drawings' | 'file' | 'export' | 'parts';
 
 /** What the controls ask of the element. */
 export interface Actions {
   readonly open: PanelName | null;
   readonly fingersDraw: boolean;
+  /** looking only: nothing that edits is shown */
+  readonly readOnly: boolean;
+  readonly files: Files;
   /** null while there is no chip */
   readonly chipAt: Place | null;
   toggle(panel: PanelName): void;
@@ -57,21 +61,37 @@ export function iconButton(
 }
 
 export function topBar(session: Session, actions: Actions): TemplateResult {
-  const { history } = session;
-  return html`<header class="top">
-    <div class="tray chrome card name">${wordmark}</div>
-    <div class="tray chrome card styles" role="radiogroup" aria-label="Style" @keydown=${roving}>
+  return html`<header class="top" part="toolbar">
+    ${actions.readOnly ? html`<div class="tray chrome card name" part="tray">${session.name ? html`<b>${session.name}</b>` : wordmark}</div>` : nothing}
+    <div class="tray chrome card styles" part="tray" role="radiogroup" aria-label="Style" @keydown=${roving}>
       ${styleRadios(session, () => actions.toggle('settings'))}
       <span class="separator"></span>
       ${iconButton('settings', 'Settings', () => actions.toggle('settings'), { expanded: actions.open === 'settings' })}
     </div>
-    <div class="tray chrome card right">
-      ${iconButton('undo', 'Undo', () => session.undo(), { key: 'U', off: !undoable(history), shortcut: 'U Control+Z' })}
-      ${iconButton('redo', 'Redo', () => session.redo(), { key: 'Shift Z', off: !redoable(history), shortcut: 'Shift+Z Control+Shift+Z' })}
-      <span class="separator"></span>
+    <div class="tray chrome card right" part="tray">
+      <slot name="toolbar"></slot>
+      ${actions.readOnly ? nothing : steps(session)} ${actions.readOnly ? nothing : partsButton(session, actions)}
+      ${actions.readOnly ? nothing : iconButton('share', 'Export', () => actions.toggle('export'), { expanded: actions.open === 'export', class: 'share' })}
       ${iconButton('more', 'More', () => actions.toggle('menu'), { expanded: actions.open === 'menu' })}
     </div>
   </header>`;
+}
+
+function steps(session: Session): TemplateResult {
+  const { history } = session;
+  return html`
+    ${iconButton('undo', 'Undo', () => session.undo(), { key: 'U', off: !undoable(history), shortcut: 'U Control+Z' })}
+    ${iconButton('redo', 'Redo', () => session.redo(), { key: 'Shift Z', off: !redoable(history), shortcut: 'Shift+Z Control+Shift+Z' })}
+    <span class="separator"></span>`;
+}
+
+function partsButton({ document }: Session, actions: Actions): TemplateResult {
+  const count = document.parts.length;
+  return iconButton(null, PART_WORDS.parts(count), () => actions.toggle('parts'), {
+    expanded: actions.open === 'parts',
+    class: 'parts-button',
+    body: html`${icon('parts')}${count > 0 ? html`<span class="count">${count}</span>` : nothing}`,
+  });
 }
 
 /** A lit ball a style; `again` answers a tap on the chosen one. */
@@ -110,20 +130,29 @@ export function roving(event: KeyboardEvent): void {
 export function rail(session: Session, actions: Actions): TemplateResult {
   const { brush, parts } = session.document;
   const named = parts.length === 0 && !session.document.draft;
+  const drawing = session.tool === 'draw';
+  const draw = () => {
+    session.setTool('draw');
+    actions.dismiss();
+  };
   const { min, max } = RADIUS_RANGE;
   const { radius } = session;
   const position = radiusToSlider(radius);
   const moved = (done: boolean) => (event: Event) =>
     actions.setRadius(sliderToRadius(Number((event.target as HTMLInputElement).value)), done);
-  return html`<div class="rail card chrome ${named ? 'named' : ''}" role="toolbar" aria-label="Tools" aria-orientation="vertical">
-    ${iconButton('draw', 'Draw', () => actions.dismiss(), { key: 'D', pressed: true })}
-    <hr />
-    ${iconButton(null, 'Colour', () => actions.toggle('palette'), {
-      expanded: actions.open === 'palette',
-      body: html`<span class="swatch">${ball('toon', brush.colour)}</span>`,
-    })}
+  return html`<div class="rail card chrome ${named ? 'named' : ''}" part="tools" role="toolbar" aria-label="Tools" aria-orientation="vertical">
+    ${iconButton('draw', 'Draw', draw, { key: 'D', pressed: drawing })}
+    ${iconButton('select', PART_WORDS.select, () => session.setTool('select'), { key: 'V', pressed: !drawing })}
     ${
-      named
+      drawing
+        ? html`<hr />${iconButton(null, 'Colour', () => actions.toggle('palette'), {
+            expanded: actions.open === 'palette',
+            body: html`<span class="swatch">${ball('toon', brush.colour)}</span>`,
+          })}`
+        : nothing
+    }
+    ${
+      named || !drawing
         ? nothing
         : html`<div class="upright">
               <input
@@ -148,8 +177,9 @@ const fingerSwitch = (actions: Actions) =>
 
 /** The slider is logarithmic: thin tubes need fine steps. */
 const SPAN = Math.log(RADIUS_RANGE.max / RADIUS_RANGE.min);
-const radiusToSlider = (mm: number) => Math.round((100 * Math.log(mm / RADIUS_RANGE.min)) / SPAN);
-const sliderToRadius = (value: number) => roundRadius(RADIUS_RANGE.min * Math.exp((SPAN * value) / 100));
+export const radiusToSlider = (mm: number) => Math.round((100 * Math.log(mm / RADIUS_RANGE.min)) / SPAN);
+export const sliderToRadius = (value: number) =>
+  roundRadius(RADIUS_RANGE.min * Math.exp((SPAN * value) / 100));
 
 /** Half millimetres below ten, whole ones above, within the range. */
 export function roundRadius(mm: number): number {
@@ -165,7 +195,7 @@ export function meter(session: Session): TemplateResult | typeof nothing {
   const two = draft.strokes.length > 1;
   const only = (on: boolean) => () => session.run({ type: 'setTubesOnly', on });
   const done = kind === 'rotational';
-  return html`<div class="meter card chrome" role="group" aria-label="The number of strokes decides the surface">
+  return html`<div class="meter card chrome" part="meter" role="group" aria-label="The number of strokes decides the surface">
     <button class=${done ? 'done' : ''} aria-current=${done ? nothing : 'step'} @click=${only(true)}
       title=${done ? 'Back to two tubes; no stroke is lost' : 'Every stroke a tube'}>
       ${icon('tube')}${done ? html`<span class="tick">${icon('check')}</span>` : nothing}1 Tube${tubesOnly ? html`<span class="hidden">, every stroke</span>` : nothing}
@@ -184,21 +214,30 @@ export function chip(session: Session, actions: Actions): TemplateResult | typeo
   if (!draft || !kind || session.state.wet || !actions.chipAt) return nothing;
   const { x, y, narrow } = actions.chipAt;
   const count = draft.strokes.length;
-  const built = draftSolids(session.document).length > 0;
+  const problem = draftProblem(session.document);
   // The chip goes, and the focus must not go with it.
   const done = (run: () => void) => () => {
     run();
     actions.dismiss();
   };
-  const fact = kind === 'tube' && count === 1 ? `${brush.radius} mm radius` : `${count} strokes`;
-  return html`<div class="chip card chrome ${narrow ? 'narrow' : ''}" role="group" aria-label=${WORDS.preview(kind)} style="left:${x}px;top:${y}px">
+  const fact = kind === 'tube' && count === 1 ? `${brush.radius} mm radius` : PART_WORDS.strokes(count);
+  // The ways on from strokes that make nothing: what they do make, or away with them.
+  const tubes = done(() => session.run({ type: 'setTubesOnly', on: true }));
+  const onward = !problem
+    ? html`<button class="b primary text" aria-keyshortcuts="N Enter" @click=${done(() => session.keep())}>${icon('check', 20)}Keep</button>`
+    : kind === 'rotational'
+      ? html`<button class="b primary text" @click=${tubes}>${icon('tube', 20)}${WORDS.twoTubes}</button>`
+      : html`<button class="b primary text" @click=${done(() => session.undo())}>${icon('undo', 20)}${WORDS.undoStroke}</button>`;
+  return html`<div class="chip card chrome ${narrow ? 'narrow' : ''}" part="chip" role="group" aria-label=${WORDS.preview(kind)} style="left:${x}px;top:${y}px">
     ${iconButton(null, 'Colour', () => actions.toggle('palette'), {
       expanded: actions.open === 'palette',
       body: html`<span class="swatch">${ball('toon', brush.colour)}</span>`,
     })}
-    <div class="what"><b>${SURFACE[kind].name}</b><small>${built ? fact : 'too short'}</small></div>
+    <div class="what ${problem ? 'problem' : ''}">
+      ${problem ? icon('warn', 20) : nothing}<div><b>${SURFACE[kind].name}</b><small>${problem ?? fact}</small></div>
+    </div>
     <button class="b quiet text" aria-label="Drop" aria-keyshortcuts="Escape" @click=${done(() => session.drop())}>${icon('x', 20)}<span class="word">Drop</span></button>
-    <button class="b primary text" aria-keyshortcuts="N Enter" @click=${done(() => session.keep())}>${icon('check', 20)}Keep</button>
+    ${onward}
   </div>`;
 }
 
@@ -207,8 +246,14 @@ export function status(session: Session): TemplateResult {
   const backend = session.scene?.backend;
   const slow = backend === 'WebGL2' ? 'WebGL2, slower' : backend;
   const time = session.buildTime ? `${Math.max(1, Math.round(session.buildTime))} ms` : '';
-  const facts = [session.detail, session.detail && time, slow ?? WORDS.loading].filter(Boolean).join(' · ');
-  return html`<div class="status chrome">
+  const facts = [
+    session.detail,
+    session.detail && time,
+    slow ?? (session.noPicture ? WORDS.noPicture : WORDS.loading),
+  ]
+    .filter(Boolean)
+    .join(' · ');
+  return html`<div class="status chrome" part="status">
     <span role="status" aria-live="polite"><b>${session.said}</b></span>
     <span><i class="dot ${backend === 'WebGPU' ? '' : 'slow'}"></i>${facts}</span>
   </div>`;
@@ -222,7 +267,7 @@ export function notice(session: Session): TemplateResult | typeof nothing {
     action();
     session.update();
   };
-  return html`<div class="notice card" role="alert">
+  return html`<div class="notice card" part="notice" role="alert">
     ${icon('warn')}<span>${shown.text}</span>
     ${shown.actions.map(({ label, run: action }) => html`<button class="b quiet text" @click=${run(action)}>${label}</button>`)}
     ${iconButton(

@@ -1,8 +1,35 @@
-/** Drawings to open on the empty page. */
-import { nothing, type TemplateResult } from 'lit';
+/** Drawings to open: on the empty page, where the pen may draw between them, and in the panel of all drawings. */
+import { html, nothing, type TemplateResult } from 'lit';
 import type { Actions } from './controls.ts';
+import type { Files } from './files.ts';
+import { icon } from './icons.ts';
+import type { Sample } from './samples.ts';
 import type { Session } from './session.ts';
+import { FILE_WORDS } from './words.ts';
 
-export function gallery(_session: Session, _actions: Actions): TemplateResult | typeof nothing {
-  return nothing;
+export function gallery(_session: Session, { files }: Actions): TemplateResult | typeof nothing {
+  if (files.samples.list.length === 0) return nothing;
+  return html`<section class="gallery chrome" aria-label="Samples">
+    <header>
+      <h2>${FILE_WORDS.gallery}<span class="more"> ${FILE_WORDS.galleryMore}</span></h2>
+      <button class="b quiet text" @click=${() => void files.opening.choose()}>${icon('open', 20)}Open a file</button>
+    </header>
+    ${cards(files, () => {})}
+  </section>`;
+}
+
+/** `chosen` is called at once; what is chosen may take a moment. */
+export function cards({ samples, opening }: Files, chosen: () => void): TemplateResult {
+  const card = (sample: Sample) => {
+    const choose = () => {
+      chosen();
+      void opening.sample(sample);
+    };
+    return html`<li><button class="card" @click=${choose}>
+      <img src=${sample.thumbnail} alt="" width="176" height="132" draggable="false" decoding="async" />
+      <b>${sample.name}</b><small>${FILE_WORDS.strokes(sample.strokes)}</small>
+    </button></li>`;
+  };
+  const count = samples.list.length;
+  return html`<ul class="cards" role="list" style="--all:${count};--half:${Math.ceil(count / 2)}">${samples.list.map(card)}</ul>`;
 }

@@ -2,15 +2,34 @@
 
 import { html, svg, type TemplateResult } from 'lit';
 import { unsafeSVG } from 'lit/directives/unsafe-svg.js';
+import box from 'lucide-static/icons/box.svg?raw';
 import check from 'lucide-static/icons/check.svg?raw';
+import down from 'lucide-static/icons/chevron-down.svg?raw';
+import done from 'lucide-static/icons/circle-check.svg?raw';
+import undone from 'lucide-static/icons/circle-dashed.svg?raw';
 import help from 'lucide-static/icons/circle-question-mark.svg?raw';
+import duplicate from 'lucide-static/icons/copy.svg?raw';
 import more from 'lucide-static/icons/ellipsis.svg?raw';
+import eye from 'lucide-static/icons/eye.svg?raw';
+import eyeOff from 'lucide-static/icons/eye-off.svg?raw';
+import fresh from 'lucide-static/icons/file-plus.svg?raw';
 import focus from 'lucide-static/icons/focus.svg?raw';
+import open from 'lucide-static/icons/folder.svg?raw';
+import history from 'lucide-static/icons/history.svg?raw';
+import image from 'lucide-static/icons/image.svg?raw';
+import parts from 'lucide-static/icons/layers.svg?raw';
+import drawings from 'lucide-static/icons/layout-grid.svg?raw';
 import full from 'lucide-static/icons/maximize.svg?raw';
+import select from 'lucide-static/icons/mouse-pointer-2.svg?raw';
+import move from 'lucide-static/icons/move.svg?raw';
 import draw from 'lucide-static/icons/pencil.svg?raw';
 import finger from 'lucide-static/icons/pointer.svg?raw';
 import redo from 'lucide-static/icons/redo-2.svg?raw';
 import home from 'lucide-static/icons/rotate-ccw.svg?raw';
+import save from 'lucide-static/icons/save.svg?raw';
+import saveAs from 'lucide-static/icons/save-all.svg?raw';
+import script from 'lucide-static/icons/scroll-text.svg?raw';
+import share from 'lucide-static/icons/share.svg?raw';
 import settings from 'lucide-static/icons/sliders-horizontal.svg?raw';
 import trash from 'lucide-static/icons/trash-2.svg?raw';
 import warn from 'lucide-static/icons/triangle-alert.svg?raw';
@@ -21,6 +40,8 @@ import x from 'lucide-static/icons/x.svg?raw';
 const inside = (text: string) => text.replace(/^[\s\S]*?<svg[^>]*>|<\/svg>\s*$/g, '');
 
 const OURS = {
+  attach:
+    '<circle cx="8" cy="14" r="4.800"/><circle cx="16.800" cy="7.800" r="3.300"/><path d="M11.800 11.200l2.200-1.500"/>',
   tube: '<path d="M4 20.2a3 3 0 0 1-.9-5.2C8.4 10 11 15.300 15.900 6.300"/><path d="M21 9c-5.900 10.400-10.600 5.600-15.700 10.700"/><ellipse cx="18.450" cy="7.650" rx="2.900" ry="1.700" transform="rotate(28 18.450 7.650)"/>',
   rotational:
     '<path d="M9.100 4.400c0 4.100-5 5.300-5 10.100C4.100 18.200 7.400 20.900 12 20.900s7.900-2.700 7.900-6.400c0-4.800-5-6-5-10.100"/><ellipse cx="12" cy="4.400" rx="2.900" ry="1.300"/><path d="M4.500 13c2.500 3 12.500 3 15 0"/>',
@@ -28,18 +49,37 @@ const OURS = {
 } as const;
 
 const LUCIDE = {
+  duplicate,
+  eye,
+  eyeOff,
+  move,
+  parts,
+  select,
+  box,
   check,
+  done,
+  down,
   draw,
+  drawings,
   finger,
   focus,
+  fresh,
   full,
   help,
+  history,
   home,
+  image,
   more,
+  open,
   redo,
+  save,
+  saveAs,
+  script,
   settings,
+  share,
   trash,
   undo,
+  undone,
   warn,
   x,
 } as const;

@@ -1,2 +1,21 @@
-/** The element's class, without defining it: safe to import where there is no DOM. */
+/**
+ * The package’s main entry: the element’s class, without defining it, and what works on its files without a page. Safe to
+ * import where there is no DOM.
+ */
+
+export type { Command } from '../document/command/index.ts';
+export type { Brush, Document, Draft, Part } from '../document/document.ts';
+export { EMPTY_DOCUMENT } from '../document/document.ts';
+export type { Drawing } from '../document/drawing.ts';
+export { EMPTY_DRAWING } from '../document/drawing.ts';
+export type { Background, Look, Style } from '../document/look.ts';
+export { FileError, parse, replay, serialize, serializeScript } from '../document/serialize.ts';
+export type { Exporter, Format, Model, OutFile } from '../export/index.ts';
+export { exporters, modelOf } from '../export/index.ts';
+export type { Mesh } from '../mesh/mesh.ts';
+export type { Plane, Sample, Stroke, View } from '../stroke/stroke.ts';
+export type { LoadOptions } from './api.ts';
+export type { ChangeDetail, ErrorDetail, RotundSketchEventMap, SelectDetail } from './events.ts';
 export { RotundSketch } from './rotundSketch.ts';
+export type { Angles, Shot } from './shot.ts';
+export type { StrokeInput } from './strokeInput.ts';

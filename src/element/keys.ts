@@ -1,4 +1,5 @@
 /** Hot keys: the thesis' own where it has one, and what drawing programs share. They answer only while the element has focus. */
+import { hideSelection, removeSelection, selectAll } from './partDeeds.ts';
 import type { Session } from './session.ts';
 import { type ShownStyle, STYLE_NAMES } from './words.ts';
 
@@ -7,6 +8,11 @@ export interface KeyActions {
   toggleHelp(): void;
   /** Escape with nothing pending */
   close(): void;
+  /** looking only: keys that edit mean nothing */
+  readonly readOnly: boolean;
+  /** `as`: to another file */
+  save(as: boolean): void;
+  openFile(): void;
 }
 
 const STYLES = Object.keys(STYLE_NAMES) as ShownStyle[];
@@ -17,11 +23,17 @@ const ARROW = 24;
 export function press(event: KeyboardEvent, session: Session, actions: KeyActions): boolean {
   const command = event.ctrlKey || event.metaKey;
   const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
-  if (command && key === 'z') return done(event.shiftKey ? session.redo() : session.undo());
-  if (command && key === 'y') return done(session.redo());
+  if (command && key === 'z' && !actions.readOnly)
+    return done(event.shiftKey ? session.redo() : session.undo());
+  if (command && key === 'y' && !actions.readOnly) return done(session.redo());
+  if (command && key === 's' && !actions.readOnly) return done(actions.save(event.shiftKey));
+  if (command && key === 'o' && !actions.readOnly) return done(actions.openFile());
+  if (command && key === 'a' && !actions.readOnly) return done(selectAll(session));
   if (command || event.altKey) return false;
   if (key in STYLES_BY_KEY) return done(chooseStyle(session, STYLES_BY_KEY[key]!));
-  return drawing(key, event.shiftKey, session, actions) || looking(key, session, actions);
+  if (actions.readOnly && key === 'Escape') return done(actions.close());
+  if (!actions.readOnly && drawing(key, event.shiftKey, session, actions)) return true;
+  return looking(key, session, actions);
 }
 
 const STYLES_BY_KEY: Readonly<Record<string, ShownStyle>> = Object.fromEntries(
@@ -48,15 +60,31 @@ function drawing(key: string, shift: boolean, session: Session, actions: KeyActi
     case 'e':
       return done(session.run({ type: 'removeAll' }));
     case 'd':
+      session.setTool('draw');
       return done(actions.close());
+    case 'v':
+      return done(session.setTool('select'));
+    case 'h':
+      return hideSelection(session);
+    case 'Delete':
+    case 'Backspace':
+      return removeSelection(session);
     default:
       return false;
   }
 }
 
-/** Escape: the stroke under the pen goes first, then the unfinished form; with nothing pending the panel closes. */
+/**
+ * Escape takes back what is most in the hand: the gesture under way, what the Select tool holds, the unfinished form;
+ * then the panel closes.
+ */
 function back(session: Session, actions: KeyActions): void {
   if (session.cancel()) return;
+  if (session.selection.length > 0) {
+    session.select([]);
+    session.saySelection();
+    return;
+  }
   if (session.document.draft) session.drop();
   else actions.close();
 }

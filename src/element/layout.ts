@@ -19,12 +19,17 @@ export const layout = css`
     user-select: none;
     -webkit-user-select: none;
   }
+  :host([hidden]) { display: none; }
   * { box-sizing: border-box; margin: 0; }
   .app { position: absolute; inset: 0; --gap: 1rem; }
   .stage, .stage canvas { position: absolute; inset: 0; width: 100%; height: 100%; display: block; }
   .stage { touch-action: none; cursor: crosshair; }
+  .stage.looking { cursor: grab; }
   .stage:focus-visible { outline: 3px solid var(--pencil); outline-offset: -3px; }
   .stage canvas { pointer-events: none; }
+  .instead { position: absolute; inset: 0; pointer-events: none; display: grid; place-items: center; }
+  .instead ::slotted(*) { pointer-events: auto; max-width: 100%; max-height: 100%; }
+  ::slotted([slot='toolbar']) { min-height: 2.75rem; }
   button { font: inherit; color: inherit; background: none; border: 0; padding: 0; cursor: pointer; }
   .icon { width: 1.5rem; height: 1.5rem; fill: none; stroke: currentColor; stroke-width: 1.75; stroke-linecap: round; stroke-linejoin: round; flex: none; display: block; }
   .icon.small { width: 1.25rem; height: 1.25rem; stroke-width: 2; }
@@ -124,7 +129,7 @@ export const layout = css`
   .view text { font: 700 11px var(--font); fill: var(--surface); text-anchor: middle; pointer-events: none; }
 
   /* notices */
-  .notice { position: absolute; left: 50%; top: 5.25rem; transform: translateX(-50%); display: flex; align-items: center; gap: 0.5rem; padding: 0.25rem 0.25rem 0.25rem 1rem; border-radius: 1.125rem; box-shadow: var(--e2); max-width: calc(100% - 2rem); z-index: 2; }
+  .notice { position: absolute; left: 50%; top: 5.25rem; width: max-content; transform: translateX(-50%); display: flex; align-items: center; gap: 0.5rem; padding: 0.25rem 0.25rem 0.25rem 1rem; border-radius: 1.125rem; box-shadow: var(--e2); max-width: calc(100% - 2rem); z-index: 2; }
   .notice .icon { color: var(--warn); }
 
   /* panels */
@@ -166,15 +171,6 @@ export const layout = css`
   .row .icon { color: var(--ink-2); }
   .row .grow { flex: 1; }
 
-  /* empty page */
-  .hint { position: absolute; left: 50%; top: 14%; transform: translateX(-50%); width: min(56rem, calc(100% - 13rem)); text-align: center; pointer-events: none; }
-  .hint h2 { font: 600 2rem/2.5rem var(--font); letter-spacing: -0.015em; }
-  .hint > p { color: var(--ink-2); margin-top: 0.375rem; font-size: 1.0625rem; line-height: 1.5rem; }
-  .hint ol { display: grid; grid-template-columns: 1fr 1fr 1fr; margin: 2.25rem 0 0; padding: 0; list-style: none; gap: 1rem; }
-  .hint svg { width: min(100%, 12rem); height: auto; display: block; margin: 0 auto; }
-  .hint li b { display: block; font: 600 1rem/1.375rem var(--font); margin-top: 0.75rem; }
-  .hint li span { font-size: 0.875rem; line-height: 1.25rem; color: var(--ink-2); }
-
   @container (max-width: 1099px) {
     .style span { display: none; }
     .style { padding: 0 0.625rem; }
@@ -187,8 +183,6 @@ export const layout = css`
     .styles { position: static; transform: none; }
     .style { padding: 0 0.375rem; min-width: 2.75rem; }
     .top .style:not([aria-checked='true']), .styles .separator, .styles .b { display: none; }
-    .wordmark { display: none; }
-    .tray.name { display: none; }
     .rail, .rail.named { left: 0.5rem; right: 0.5rem; top: auto; bottom: calc(0.5rem + env(safe-area-inset-bottom, 0px)); transform: none; width: auto; flex-direction: row; align-items: center; justify-content: space-between; padding: 0.3125rem; }
     .rail hr, .rail .tip, .rail.named .b > kbd { display: none; }
     .rail .b, .rail.named .b { flex-direction: column; height: 3.5rem; gap: 0; padding: 0 0.25rem; font-size: 0.75rem; line-height: 1rem; justify-content: center; min-width: 3.25rem; }
@@ -204,13 +198,9 @@ export const layout = css`
     .status { left: 0.75rem; bottom: calc(5.25rem + env(safe-area-inset-bottom, 0px)); max-width: 60%; }
     .chip ~ .status { display: none; }
     .view { right: 0.75rem; bottom: calc(9.5rem + env(safe-area-inset-bottom, 0px)); }
-    .hint { width: calc(100% - 2rem); top: 4.5rem; }
-    .hint ol { margin-top: 1.25rem; gap: 0.5rem; }
     .panel { left: 0.5rem; right: 0.5rem; width: auto; top: auto; bottom: 0; max-height: 70%; border-radius: 1rem 1rem 0 0; }
   }
   @container (max-height: 560px) and (min-width: 700px) {
-    .hint { top: 5rem; }
-    .hint ol { display: none; }
     .rail { max-height: calc(100% - 1rem); overflow-y: auto; scrollbar-width: none; }
     .tray.name { visibility: hidden; }
     .status { left: 5.5rem; }

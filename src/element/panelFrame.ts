@@ -4,7 +4,7 @@ import { type Actions, iconButton } from './controls.ts';
 
 export function frame(title: string, extra: string, actions: Actions, body: TemplateResult): TemplateResult {
   const close = () => actions.dismiss();
-  return html`<div class="panel card chrome ${extra}" role="dialog" aria-label=${title}>
+  return html`<div class="panel card chrome ${extra}" part="panel" role="dialog" tabindex="-1" aria-label=${title}>
     <header><h2>${title}</h2>${iconButton('x', 'Close', close)}</header>
     ${body}
   </div>`;

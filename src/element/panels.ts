@@ -2,36 +2,17 @@
 import { html, nothing, type TemplateResult } from 'lit';
 import type { Brush } from '../document/document.ts';
 import { type Background, PAPER_COLOUR } from '../scene/look.ts';
+import { spheres } from './colours.ts';
 import { type Actions, roving, styleRadios } from './controls.ts';
+import { drawingsPanel } from './drawingsPanel.ts';
 import { exportPanel } from './exportPanel.ts';
 import { filePanel } from './filePanel.ts';
-import { ball, type IconName, icon } from './icons.ts';
+import { type IconName, icon } from './icons.ts';
 import { frame, toggle } from './panelFrame.ts';
+import { chosenParts, partColours } from './partCard.ts';
 import { partsPanel } from './partsPanel.ts';
 import type { Session } from './session.ts';
-import { KEYS } from './words.ts';
-
-/** An illustrator's box: warm to cold, then earth, flesh and greys. */
-const COLOURS: readonly (readonly [name: string, colour: string])[] = [
-  ['Pear', '#d9cb4a'],
-  ['Orange', '#e2893a'],
-  ['Red', '#c8402f'],
-  ['Rose', '#e08c98'],
-  ['Violet', '#8a64ac'],
-  ['Blue', '#4a7ab8'],
-  ['Teal', '#3f9690'],
-  ['Leaf', '#5f9e46'],
-  ['Fir', '#3b6b3f'],
-  ['Bark', '#7d5238'],
-  ['Wood', '#b98a5a'],
-  ['Sand', '#dcc397'],
-  ['Skin', '#e8bd9e'],
-  ['Sky', '#9cc4de'],
-  ['Cream', '#f3ead6'],
-  ['Stone', '#a5a29a'],
-  ['Slate', '#5a6270'],
-  ['Coal', '#3a3a3e'],
-];
+import { KEYS, WORDS } from './words.ts';
 
 const BACKGROUNDS: readonly (readonly [id: Background, name: string])[] = [
   ['paper', 'Paper'],
@@ -51,6 +32,7 @@ export function panel(session: Session, actions: Actions): TemplateResult | type
   if (actions.open === 'palette') return palette(session, actions);
   if (actions.open === 'menu') return menu(session, actions);
   if (actions.open === 'help') return help(actions);
+  if (actions.open === 'drawings') return drawingsPanel(session, actions);
   if (actions.open === 'file') return filePanel(session, actions);
   if (actions.open === 'export') return exportPanel(session, actions);
   if (actions.open === 'parts') return partsPanel(session, actions);
@@ -58,8 +40,7 @@ export function panel(session: Session, actions: Actions): TemplateResult | type
 }
 
 function settings(session: Session, actions: Actions): TemplateResult {
-  const { look, document } = session;
-  const { brush } = document;
+  const { look } = session;
   const perspective = session.view.fov > 0;
   const dark = BACKGROUNDS.find(([id]) => id === look.background);
   const body = html`
@@ -83,7 +64,13 @@ function settings(session: Session, actions: Actions): TemplateResult {
       </div>
       ${toggle('Grain', look.grain, (grain) => session.setLook({ grain }))}
     </section>
-    <section>
+    ${actions.readOnly ? nothing : stroke(session)}`;
+  return frame('Settings', '', actions, body);
+}
+
+function stroke(session: Session): TemplateResult {
+  const { brush } = session.document;
+  return html`<section>
       <h3>Stroke <output>${brush.levels === 0 ? 'as drawn' : `smoothing ${brush.levels}`}</output></h3>
       <div class="segment" role="radiogroup" aria-label="Stroke filter" @keydown=${roving}>
         ${FILTERS.map(
@@ -98,25 +85,15 @@ function settings(session: Session, actions: Actions): TemplateResult {
       ${toggle('Pressure makes tubes thicker', brush.pressure, (pressure) => session.setBrush({ pressure }))}
       ${toggle('Close open ends', brush.caps, (caps) => session.setBrush({ caps }))}
     </section>`;
-  return frame('Settings', '', actions, body);
 }
 
+/** Of the selected parts, or else of what is being drawn. */
 function palette(session: Session, actions: Actions): TemplateResult {
+  if (chosenParts(session).length > 0)
+    return frame('Colour', 'palette', actions, html`<section>${partColours(session)}</section>`);
   const { colour } = session.document.brush;
   const set = (value: string) => session.setBrush({ colour: value });
-  const known = COLOURS.some(([, value]) => value === colour);
-  const body = html`<section>
-    <div class="spheres" role="radiogroup" aria-label="Colour of this and the next form" @keydown=${roving}>
-      ${COLOURS.map(
-        ([name, value], i) =>
-          html`<button role="radio" aria-label=${name} title=${name} aria-checked=${value === colour} tabindex=${value === colour || (!known && i === 0) ? 0 : -1}
-            @click=${() => set(value)}>${ball('toon', value)}</button>`,
-      )}
-    </div>
-    <label class="row">Own colour
-      <input type="color" .value=${colour} aria-label="Own colour" @change=${(event: Event) => set((event.target as HTMLInputElement).value)} />
-    </label>
-  </section>`;
+  const body = html`<section>${spheres('Colour of this and the next form', colour, colour, set)}</section>`;
   return frame('Colour', 'palette', actions, body);
 }
 
@@ -127,7 +104,7 @@ function menu(session: Session, actions: Actions): TemplateResult {
       actions.dismiss();
       run();
     };
-    return html`<button class="row" @click=${choose}>${icon(image, 20)}<span class="grow">${name}</span><kbd>${key}</kbd></button>`;
+    return html`<button class="row" @click=${choose}>${icon(image, 20)}<span class="grow">${name}</span>${key ? html`<kbd>${key}</kbd>` : nothing}</button>`;
   };
   const body = html`<section>
       ${entry('focus', 'Show everything', 'Home', () => session.camera.showAll())}
@@ -136,17 +113,26 @@ function menu(session: Session, actions: Actions): TemplateResult {
         ${FACES.map((side) => html`<button class="b quiet" @click=${() => session.camera.face(side)}>${capital(side)}</button>`)}
       </div>
       ${entry('full', 'Full screen', 'F', () => session.fullScreen())}
+      ${actions.readOnly ? nothing : entry('share', 'Export', '', () => actions.toggle('export'))}
       ${entry('help', 'Keys and gestures', '?', () => actions.toggle('help'))}
     </section>
     ${
-      document.parts.length || document.draft
+      !actions.readOnly && (document.parts.length || document.draft)
         ? html`<section>
             ${document.parts.length ? entry('trash', 'Delete the last part', 'C', () => session.run({ type: 'removeLast' })) : nothing}
             ${entry('trash', 'Delete everything', 'E', () => session.run({ type: 'removeAll' }))}
           </section>`
         : nothing
-    }`;
+    }
+    ${drawnBy(session)}`;
   return frame('More', 'menu', actions, body);
+}
+
+/** What draws the picture, and why it is not WebGPU. */
+function drawnBy({ scene }: Session): TemplateResult | typeof nothing {
+  if (!scene) return nothing;
+  const about = scene.fallbackReason ?? scene.description?.adapter ?? null;
+  return html`<section><p class="row"><small>${WORDS.drawnBy(scene.backend, about)}</small></p></section>`;
 }
 
 const FACES = ['front', 'right', 'top', 'back', 'left', 'bottom'] as const;

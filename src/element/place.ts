@@ -1,7 +1,7 @@
 /** Where the chip goes: 24 px under the form; no room there, above it; else beside it. Never outside the picture. */
 import type { Mesh } from '../mesh/mesh.ts';
-import { project } from '../stroke/plane.ts';
-import type { View } from '../stroke/stroke.ts';
+import { project, toWorld } from '../stroke/plane.ts';
+import type { Stroke, View } from '../stroke/stroke.ts';
 
 export interface Size {
   readonly width: number;
@@ -36,6 +36,17 @@ export function screenBox(meshes: readonly Mesh[], view: View, size: Size): Rect
       if (p) box = grown(box, p[0], p[1]);
     }
   }
+  return box;
+}
+
+/** The box of strokes on the screen: for a form that has no surface. */
+export function strokesBox(strokes: readonly Stroke[], view: View, size: Size): Rect | null {
+  let box: Rect | null = null;
+  for (const { plane, samples } of strokes)
+    for (const { x, y } of samples) {
+      const p = project(view, size, toWorld(plane, [x, y]));
+      if (p) box = grown(box, p[0], p[1]);
+    }
   return box;
 }
 

@@ -1,7 +1,8 @@
 /**
  * Pen, fingers and mouse become strokes and camera moves. A pen draws; once one was seen fingers navigate; two
  * fingers always pan, pinch and twist; taps with two and three undo and redo. Whatever interrupts a stroke (second
- * finger, palm, lost pointer) cancels it: it is never committed by accident.
+ * finger, palm, lost pointer) cancels it: it is never committed by accident. Where people may only look, whatever
+ * would draw turns the view, and a tap selects.
  */
 import type { Pen } from '../tool/tool.ts';
 
@@ -18,8 +19,12 @@ export interface PointerTarget {
   focus(): void;
   undo(): void;
   redo(): void;
+  /** a tap of what turns the view */
+  tap(pen: Pen): void;
   penSeen(): void;
   fingersDraw(): boolean;
+  /** nothing may be drawn */
+  looking(): boolean;
 }
 
 const TAP = { milliseconds: 250, pixels: 10 } as const;
@@ -82,6 +87,7 @@ export class PointerRouter {
       tiltY: event.tiltY,
       time: event.timeStamp,
       pointer,
+      adds: event.shiftKey || event.ctrlKey || event.metaKey,
     };
   }
 
@@ -105,8 +111,14 @@ export class PointerRouter {
     this.#owner = event.pointerId;
     this.#last = this.#at(event);
     this.#mode = buttonMode(event);
-    if (this.#mode === 'draw') this.#begin(event);
+    if (this.#mode === 'draw' && this.#target.looking()) this.#look(event);
+    else if (this.#mode === 'draw') this.#begin(event);
     if (event.pointerType === 'pen') this.#target.penSeen();
+  }
+
+  #look(event: PointerEvent): void {
+    this.#mode = 'turn';
+    this.#tap = { ...this.#tap, start: event.timeStamp, most: 1, moved: 0 };
   }
 
   #begin(event: PointerEvent): void {
@@ -122,6 +134,7 @@ export class PointerRouter {
     }
     const before = this.#last;
     this.#last = this.#at(event);
+    this.#tap.moved += Math.hypot(this.#last.x - before.x, this.#last.y - before.y);
     this.#drag(before, this.#last, event);
   }
 
@@ -155,6 +168,7 @@ export class PointerRouter {
     }
     if (event.pointerId !== this.#owner) return;
     if (this.#mode === 'draw' && event.pointerId === this.#drawing?.pointerId) this.#finish(event);
+    if (this.#mode === 'turn' && event.button === 0) this.#tapped(event);
     this.#owner = null;
     this.#mode = 'none';
   }
@@ -194,7 +208,7 @@ export class PointerRouter {
     const count = this.#fingers.size;
     if (count === 1) this.#tap = { ...this.#tap, start: event.timeStamp, most: 1, moved: 0 };
     this.#tap.most = Math.max(this.#tap.most, count);
-    if (count === 1 && this.#target.fingersDraw()) this.#begin(event);
+    if (count === 1 && this.#target.fingersDraw() && !this.#target.looking()) this.#begin(event);
     else if (count === 1) this.#mode = 'turn';
     else this.#toFingers(count);
   }
@@ -240,17 +254,21 @@ export class PointerRouter {
     if (!this.#fingers.delete(event.pointerId)) return;
     if (this.#mode === 'draw' && this.#drawing?.pointerId === event.pointerId) this.#finish(event);
     if (this.#fingers.size === 0) {
-      this.#tapped(event.timeStamp);
+      this.#tapped(event);
       this.#mode = 'none';
     } else this.#mode = 'ignore';
   }
 
-  #tapped(now: number): void {
+  #tapped(event: PointerEvent): void {
+    const now = event.timeStamp;
     const { start, most, moved, previous } = this.#tap;
-    if (now - start > TAP.milliseconds || moved > TAP.pixels) return;
+    if (moved > TAP.pixels) return;
+    const one = most === 1 && this.#mode === 'turn';
+    if (one) this.#target.tap(this.#pen(event));
+    if (now - start > TAP.milliseconds) return;
     if (most === 2) this.#target.undo();
     if (most === 3) this.#target.redo();
-    if (most !== 1 || this.#mode !== 'turn') return;
+    if (!one) return;
     if (now - previous < 2 * TAP.milliseconds) this.#target.focus();
     this.#tap.previous = now;
   }

@@ -2,76 +2,80 @@
  * `<rotund-sketch>`: the application as one custom element. It draws the controls, routes the pointer and the keys
  * to the session, and fetches the scene (three.js) only when it is on a page: strokes can be drawn before it is there.
  */
-import { html, LitElement, nothing, type PropertyValues } from 'lit';
-import { draftSolids } from '../document/build.ts';
-import type { Document } from '../document/document.ts';
+import { html, nothing, type PropertyDeclarations, type PropertyValues, type TemplateResult } from 'lit';
+import { draftIsWhole, draftSolids } from '../document/build.ts';
 import type { Scene } from '../scene/index.ts';
-import { isDark, lineColour, PAPER_COLOUR } from '../scene/look.ts';
+import { lineColour, PAPER_COLOUR, pencilColour } from '../scene/look.ts';
 import type { Pen } from '../tool/tool.ts';
 import { actionsBar } from './actionsBar.ts';
-import {
-  type Actions,
-  chip,
-  meter,
-  notice,
-  type PanelName,
-  rail,
-  roundRadius,
-  status,
-  topBar,
-} from './controls.ts';
+import { SketchApi } from './api.ts';
+import { chip, meter, notice, type PanelName, rail, roundRadius, status, topBar } from './controls.ts';
+import { dropVeil } from './dropVeil.ts';
+import { messageOf } from './events.ts';
+import { fileLayout } from './fileLayout.ts';
+import { Files } from './files.ts';
 import { fileTray } from './fileTray.ts';
 import { gallery } from './gallery.ts';
 import { gizmo } from './gizmo.ts';
 import { hint } from './hint.ts';
 import { press } from './keys.ts';
 import { layout } from './layout.ts';
+import { noPicture, noPictureStyle } from './noPicture.ts';
+import { PanelFocus } from './panelFocus.ts';
 import { panel } from './panels.ts';
-import { chipPlace, type Place, screenBox } from './place.ts';
+import { partsLayout } from './partsLayout.ts';
+import { chipPlace, type Place, screenBox, strokesBox } from './place.ts';
 import { PointerRouter, type PointerTarget } from './pointer.ts';
 import { SceneLife, type SceneOwner } from './sceneLife.ts';
-import { Session } from './session.ts';
+import { Session, TOOLS } from './session.ts';
+import { startLayout } from './startLayout.ts';
 import { stepBack } from './stepBack.ts';
-import { PAPER_OF, reducedMotion, systemTheme, type Theme, watchPixelRatio, watchSystem } from './theme.ts';
+import { PAPER_OF, reducedMotion, themeOf, watchPixelRatio, watchSystem } from './theme.ts';
 import { tokens } from './tokens.ts';
 import { type BallActions, viewBall } from './viewBall.ts';
 import { drawInk } from './wetInk.ts';
-import { WORDS } from './words.ts';
+import { PART_WORDS, WORDS } from './words.ts';
 
-/** What the program draws on the paper is blue pencil, whatever the theme of the controls. */
-const PENCIL = { onLight: '#2b59c3', onDark: '#93b4ff' } as const;
+/** Nothing in these changes the drawing where people may only look. */
+const LOOKING_PANELS: readonly PanelName[] = ['settings', 'menu', 'help'];
 
 /** twice the resolution of a picture of 2400 × 1800 */
 const FINE_TEXELS = 18e6;
 
-export class RotundSketch extends LitElement implements Actions {
-  static override styles = [tokens, layout];
-  static override properties = {
-    theme: { type: String, reflect: true },
-    backend: { type: String },
-    quality: { type: String },
+// What is marked internal is for the controls and is left out of the package’s types.
+export class RotundSketch extends SketchApi {
+  /** @internal */
+  static override styles = [tokens, layout, startLayout, fileLayout, noPictureStyle, partsLayout];
+  /** @internal */
+  static override properties: PropertyDeclarations = {
+    autosave: { reflect: true },
+    gallery: { reflect: true },
     open: { state: true },
     fingersDraw: { state: true },
   };
 
-  /** light, dark or contrast; without it the system's setting */
-  declare theme: Theme | null;
-  /** `webgl2` never asks for WebGPU */
-  declare backend: 'auto' | 'webgl2';
-  /** `fine` finds lines at twice the resolution on software adapters too: for pictures, where time is no matter */
-  declare quality: 'auto' | 'fine';
+  /** Key under which the browser keeps the drawing; for the one element of an application. */
+  declare autosave: string | null;
+  /** address of a list of samples for the empty page */
+  declare gallery: string | null;
+  /** @internal */
   declare open: PanelName | null;
+  /** @internal */
   declare fingersDraw: boolean;
 
+  /** @internal */
   readonly session = new Session({
+    ...this.hooks,
     changed: () => this.requestUpdate(),
     drawn: () => this.#drawn(),
-    committed: () => {},
-    selected: () => {},
   });
+  /** @internal */
+  readonly files = new Files(this);
+  readonly #panelFocus = new PanelFocus();
   readonly #life = new SceneLife(this.#sceneOwner());
   #router: PointerRouter | null = null;
   #sizes: ResizeObserver | null = null;
+  #seen: IntersectionObserver | null = null;
   #predicted: readonly Pen[] = [];
   #penSeen = false;
   #media: AbortController | null = null;
@@ -79,20 +83,15 @@ export class RotundSketch extends LitElement implements Actions {
 
   constructor() {
     super();
-    this.theme = null;
-    this.backend = 'auto';
-    this.quality = 'auto';
+    this.autosave = null;
+    this.gallery = null;
     this.open = null;
     this.fingersDraw = true;
   }
 
-  /** The drawing: plain immutable data. */
-  get document(): Document {
-    return this.session.document;
-  }
-
   // ── life ────────────────────────────────────────────────────────────────────────────────────────────
 
+  /** @internal */
   override connectedCallback(): void {
     super.connectedCallback();
     this.#media = new AbortController();
@@ -103,11 +102,13 @@ export class RotundSketch extends LitElement implements Actions {
     if (this.hasUpdated) this.#start();
   }
 
+  /** @internal */
   protected override firstUpdated(): void {
     // After this update: what starts asks for another.
     void this.updateComplete.then(() => this.isConnected && !this.#router && this.#start());
   }
 
+  /** @internal */
   override disconnectedCallback(): void {
     super.disconnectedCallback();
     this.#life.close();
@@ -117,16 +118,26 @@ export class RotundSketch extends LitElement implements Actions {
     this.#router?.dispose();
     this.#router = null;
     this.#sizes?.disconnect();
+    this.#seen?.disconnect();
     this.session.detach();
   }
+
+  /**
+   * Moved within the page by `moveBefore`: nothing has to end.
+   * @internal
+   */
+  connectedMoveCallback(): void {}
 
   #start(): void {
     const stage = this.#find<HTMLElement>('.stage');
     this.#router = new PointerRouter(stage, this.#pointerTarget());
     this.#sizes = new ResizeObserver(() => this.#resize());
     this.#sizes.observe(stage);
+    this.#seen = new IntersectionObserver((seen) => this.#see(seen.at(-1)?.isIntersecting ?? true));
+    this.#seen.observe(this);
     this.#adapt();
     this.#resize();
+    this.scene.go();
     void this.#life.open();
   }
 
@@ -146,7 +157,7 @@ export class RotundSketch extends LitElement implements Actions {
       },
       show: (scene) => this.#show(scene),
       lose: () => this.#lose(),
-      withoutScene: () => this.#withoutScene(),
+      withoutScene: (error) => this.#withoutScene(error),
     };
   }
 
@@ -155,23 +166,41 @@ export class RotundSketch extends LitElement implements Actions {
     session.attach(scene);
     this.dataset.backend = scene.backend;
     if (scene.backend === 'WebGL2') session.said = WORDS.webgl2;
+    session.noPicture = null;
     if (session.notice?.text === WORDS.lost) session.notice = null;
     this.#adapt();
     this.#resize();
-    this.dispatchEvent(new Event('ready'));
+    this.sceneCame(scene);
+  }
+
+  /** Off the screen, or not displayed: no frames. */
+  #see(seen: boolean): void {
+    this.session.asleep = !seen;
+    if (!seen) this.sayReady();
   }
 
   #lose(): void {
     const { session } = this;
+    this.scene.go();
     session.notice = { text: WORDS.lost, actions: [] };
     session.detach();
     session.update();
   }
 
-  #withoutScene(): void {
-    this.session.notice = { text: WORDS.noPicture, actions: [] };
+  #withoutScene(error: unknown): void {
     this.dataset.backend = 'none';
+    this.scene.fail(error);
+    const told = !this.fail(error);
+    this.session.noPicture = { reason: messageOf(error), told, retry: () => this.#lookAgain() };
+    if (this.session.notice?.text === WORDS.lost) this.session.notice = null;
     this.requestUpdate();
+  }
+
+  #lookAgain(): void {
+    this.session.noPicture = null;
+    this.scene.go();
+    this.requestUpdate();
+    void this.#life.open();
   }
 
   #find<T extends Element>(selector: string): T {
@@ -181,7 +210,7 @@ export class RotundSketch extends LitElement implements Actions {
   }
 
   #adapt(): void {
-    const theme = this.theme ?? systemTheme();
+    const theme = themeOf(this.theme);
     this.dataset.theme = theme;
     const { session } = this;
     if (session.scene) session.scene.rig.reducedMotion = reducedMotion();
@@ -203,38 +232,77 @@ export class RotundSketch extends LitElement implements Actions {
 
   // ── drawing ─────────────────────────────────────────────────────────────────────────────────────────
 
+  /** @internal */
   protected override render() {
     const { session } = this;
-    const empty = session.document.parts.length === 0 && !session.document.draft && !session.state.wet;
+    const empty =
+      !this.files.restoring &&
+      session.document.parts.length === 0 &&
+      !session.document.draft &&
+      !session.state.wet;
+    const around = {
+      before: html`${gizmo(session, this)} ${empty && (session.noPicture?.told ?? true) ? html`<div class="start ${this.files.samples.list.length > 0 ? 'filled' : ''}">${hint()}${gallery(session, this)}</div>` : nothing} ${fileTray(session, this)}`,
+      after: html`${rail(session, this)} ${meter(session)}
+        ${actionsBar(session, this)} ${chip(session, this)}`,
+    };
     return html`<div class="app">
-      <div class="stage" role="application" tabindex="0" aria-label=${this.#label()} aria-describedby="keys">
-        <canvas class="picture"></canvas>
+      <div class="stage ${this.#hand}" part="stage" role=${this.readOnly ? 'img' : 'application'}
+        tabindex="0" aria-label=${this.#label()} aria-describedby=${this.#bare ? nothing : 'keys'}>
+        <canvas class="picture" part="picture"></canvas>
         <canvas class="ink"></canvas>
       </div>
-      <span id="keys" class="hidden">Press ? for keys and gestures.</span>
-      ${gizmo(session, this)} ${empty ? html`${hint()}${gallery(session, this)}` : nothing}
-      ${topBar(session, this)} ${fileTray(session, this)} ${rail(session, this)} ${meter(session)}
-      ${actionsBar(session, this)} ${chip(session, this)} ${status(session)}
-      ${viewBall(session.view, this.#ballActions())} ${notice(session)} ${panel(session, this)}
+      ${this.#insteadOfPicture()}
+      ${this.#bare ? nothing : this.#controls(around)}
     </div>`;
+  }
+
+  /** What the cursor says. */
+  get #hand(): string {
+    if (this.readOnly) return 'looking';
+    return this.session.tool === 'select' ? 'selecting' : '';
+  }
+
+  /** The picture alone. */
+  get #bare(): boolean {
+    return this.controls === 'none';
+  }
+
+  #controls({ before, after }: Readonly<Record<'before' | 'after', TemplateResult>>): TemplateResult {
+    const { session, readOnly } = this;
+    const shown = !readOnly || (this.open !== null && LOOKING_PANELS.includes(this.open));
+    return html`<span id="keys" class="hidden">Press ? for keys and gestures.</span>
+      ${readOnly ? nothing : before} ${topBar(session, this)} ${readOnly ? nothing : after} ${status(session)}
+      ${viewBall(session.view, this.#ballActions())} ${notice(session)}
+      ${noPicture(session, this, readOnly)} ${shown ? panel(session, this) : nothing} ${this.files.over ? dropVeil() : nothing}`;
+  }
+
+  /** What the page gave to be seen until there is a picture, or when there is none. */
+  #insteadOfPicture(): TemplateResult | typeof nothing {
+    if (this.dataset.backend === 'none')
+      return html`<div class="instead"><slot name="fallback"></slot></div>`;
+    return this.pictured ? nothing : html`<div class="instead"><slot name="poster"></slot></div>`;
   }
 
   #label(): string {
     const { parts, draft } = this.document;
     const count = `${parts.length} ${parts.length === 1 ? 'part' : 'parts'}`;
-    const unfinished = draft ? `, unfinished form of ${draft.strokes.length} strokes` : '';
-    return `Drawing. ${count}${unfinished}`;
+    const unfinished = draft ? `, unfinished form of ${PART_WORDS.strokes(draft.strokes.length)}` : '';
+    return this.alt ?? `Drawing. ${count}${unfinished}`;
   }
 
+  /** @internal */
   protected override updated(changed: PropertyValues): void {
+    super.updated(changed);
     if (changed.has('theme')) this.#adapt();
+    if (changed.has('open')) this.#panelFocus.moved(this.renderRoot as ShadowRoot, this.#find('.stage'));
   }
 
   /** After each frame: the ink over it, and what hangs on the camera. */
   #drawn(): void {
     this.#drawInk();
-    const { view } = this.session;
-    const key = JSON.stringify(view);
+    const { view, state } = this.session;
+    this.sayReady();
+    const key = JSON.stringify([view, state.carried?.by]);
     if (key === this.#viewKey) return;
     this.#viewKey = key;
     this.requestUpdate();
@@ -247,7 +315,7 @@ export class RotundSketch extends LitElement implements Actions {
       this.session,
       {
         ink: lineColour(background),
-        pencil: isDark(background) ? PENCIL.onDark : PENCIL.onLight,
+        pencil: pencilColour(background),
         paper: PAPER_COLOUR[background],
         font: getComputedStyle(this).fontFamily,
       },
@@ -255,12 +323,19 @@ export class RotundSketch extends LitElement implements Actions {
     );
   }
 
+  /** @internal */
   get chipAt(): Place | null {
     const { document, view, size } = this.session;
     if (!document.draft) return null;
-    const meshes = draftSolids(document).map(({ mesh }) => mesh);
+    const box = draftIsWhole(document)
+      ? screenBox(
+          draftSolids(document).map(({ mesh }) => mesh),
+          view,
+          size,
+        )
+      : strokesBox(document.draft.strokes, view, size);
     const middle = { left: size.width / 2, right: size.width / 2, top: 80, bottom: 80 };
-    return chipPlace(screenBox(meshes, view, size) ?? middle, size);
+    return chipPlace(box ?? middle, size);
   }
 
   // ── hands ───────────────────────────────────────────────────────────────────────────────────────────
@@ -273,7 +348,8 @@ export class RotundSketch extends LitElement implements Actions {
     };
     return {
       down: (pen) => {
-        if (this.open && this.open !== 'settings') this.open = null;
+        const stays = this.open === 'settings' || (this.open === 'parts' && session.tool === 'select');
+        if (this.open && !stays) this.open = null;
         session.down(pen);
         this.#drawInk();
       },
@@ -296,16 +372,34 @@ export class RotundSketch extends LitElement implements Actions {
       pan: (dx, dy) => session.camera.pan(dx, dy),
       roll: (angle) => session.camera.roll(angle),
       zoom: (factor, x, y) => session.camera.zoom(factor, x, y),
-      focus: () => session.camera.showAll(),
-      undo: () => session.undo(),
-      redo: () => session.redo(),
+      focus: () => this.#focus(),
+      undo: () => this.readOnly || session.undo(),
+      redo: () => this.readOnly || session.redo(),
+      tap: (pen) => this.#tap(pen),
+      looking: () => this.readOnly,
       penSeen: () => this.#seePen(),
       fingersDraw: () => this.fingersDraw,
     };
   }
 
+  /** Where a finger or the pen only turns the view, a tap takes the part under it. */
+  #tap(pen: Pen): void {
+    const { session } = this;
+    if (!this.readOnly && session.tool !== 'select') return;
+    session.begin(TOOLS.select);
+    session.down(pen);
+    session.up();
+    session.begin(session.idle);
+  }
+
+  #focus(): void {
+    const { camera, selection, tool } = this.session;
+    if (tool === 'select' && selection.length > 0) camera.show(selection);
+    else camera.showAll();
+  }
+
   #seePen(): void {
-    if (this.#penSeen) return;
+    if (this.#penSeen || this.readOnly) return;
     this.#penSeen = true;
     const touch = navigator.maxTouchPoints > 0;
     this.fingersDraw = false;
@@ -327,7 +421,11 @@ export class RotundSketch extends LitElement implements Actions {
 
   #key(event: KeyboardEvent): void {
     const origin = event.composedPath()[0] as HTMLElement;
-    if (origin.matches?.('input') && event.key !== 'Escape') return;
+    if (origin.matches?.('input') && event.key !== 'Escape') {
+      if (!(event.ctrlKey || event.metaKey) || !/^[so]$/i.test(event.key)) return;
+      // What was typed is taken before it is saved.
+      origin.blur();
+    }
     // Enter and Space press the button that has the focus; letters are still hot keys there.
     if (origin.matches?.('button') && (event.key === 'Enter' || event.key === ' ')) return;
     // A panel that has the focus is what Escape is meant for.
@@ -339,6 +437,9 @@ export class RotundSketch extends LitElement implements Actions {
       stepRadius: (direction) => this.#stepRadius(direction),
       toggleHelp: () => this.toggle('help'),
       close: () => this.dismiss(),
+      readOnly: this.readOnly,
+      save: (as) => void this.files.saving.save(as),
+      openFile: () => void this.files.opening.choose(),
     });
     if (handled) event.preventDefault();
   }
@@ -351,21 +452,28 @@ export class RotundSketch extends LitElement implements Actions {
 
   // ── what the controls ask for ───────────────────────────────────────────────────────────────────────
 
+  /** @internal */
   toggle(name: PanelName): void {
     this.open = this.open === name ? null : name;
   }
 
+  /** @internal */
   dismiss(): void {
+    // A panel gives the focus back to what opened it.
+    if (!this.open) this.#find<HTMLElement>('.stage').focus({ preventScroll: true });
     this.open = null;
-    this.#find<HTMLElement>('.stage').focus({ preventScroll: true });
   }
 
+  /** @internal */
   setFingersDraw(on: boolean): void {
     this.fingersDraw = on;
     this.session.said = on ? 'Fingers draw' : 'Fingers turn the view';
   }
 
-  /** A drag of the slider is shown at once and becomes one undo step when it ends. */
+  /**
+   * A drag of the slider is shown at once and becomes one undo step when it ends.
+   * @internal
+   */
   setRadius(mm: number, done: boolean): void {
     this.session.setRadius(mm, done);
   }

@@ -1,8 +1,10 @@
 /**
  * The life of the scene of one element: fetched when there is a page to draw on, shown, lost with its device and made
- * anew, given back when the element goes. There is always a picture: what fails with WebGPU is tried with WebGL2.
+ * anew, given back when the element goes. What fails with WebGPU is tried with WebGL2, and so is what WebGPU loses
+ * again and again; only where that fails too is there no picture.
  */
-import type { Scene } from '../scene/index.ts';
+import type { createScene, Scene } from '../scene/index.ts';
+import { messageOf } from './events.ts';
 
 export type BackendChoice = 'auto' | 'webgl2';
 
@@ -22,29 +24,45 @@ export interface SceneOwner {
   withoutScene(error: unknown): void;
 }
 
+interface SceneModule {
+  readonly createScene: typeof createScene;
+}
+
+/** So many losses … */
+const LOSSES = 3;
+/** … within so many ms, and the back end is not tried again. */
+const WITHIN = 30_000;
+/** ms: after a loss the browser may need a moment until it hands out graphics again. */
+const PAUSES = [0, 500, 1500] as const;
+
+interface Wish {
+  readonly backend: BackendChoice;
+  /** why not WebGPU, in words */
+  readonly because?: string;
+}
+
 export class SceneLife {
   /** counts renewals: what was begun before one must not arrive after it */
   #life = 0;
+  /** when devices were lost, ms */
+  #losses: readonly number[] = [];
+  /** what WebGPU was given up for; null: it may be asked for */
+  #gaveUp: string | null = null;
+  readonly #used = new WeakSet<HTMLCanvasElement>();
   readonly #owner: SceneOwner;
+  readonly #load: () => Promise<SceneModule>;
 
-  constructor(owner: SceneOwner) {
+  constructor(owner: SceneOwner, load: () => Promise<SceneModule> = () => import('../scene/index.ts')) {
     this.#owner = owner;
+    this.#load = load;
   }
 
-  async open(backend: BackendChoice = this.#owner.backend): Promise<void> {
-    const life = this.#life;
-    const owner = this.#owner;
-    try {
-      const { createScene } = await import('../scene/index.ts');
-      if (this.#life !== life) return;
-      const { lineTexels } = owner;
-      const options = lineTexels === undefined ? { backend } : { backend, lineTexels };
-      const scene = await createScene(owner.canvas(), options);
-      if (this.#life !== life) scene.dispose();
-      else this.#show(scene);
-    } catch (error) {
-      if (this.#life === life) await this.#failed(error, backend);
-    }
+  /** A scene, from the beginning; also once more where there was none. */
+  async open(): Promise<void> {
+    this.#life++;
+    this.#losses = [];
+    this.#gaveUp = null;
+    await this.#try([0]);
   }
 
   /** What was begun is not wanted any more. */
@@ -52,29 +70,75 @@ export class SceneLife {
     this.#life++;
   }
 
+  get #wish(): Wish {
+    if (this.#gaveUp !== null) return { backend: 'webgl2', because: this.#gaveUp };
+    return { backend: this.#owner.backend };
+  }
+
+  /** Makes a scene, with a pause before each try. */
+  async #try(pauses: readonly number[]): Promise<void> {
+    const life = this.#life;
+    let failure: unknown;
+    for (const pause of pauses) {
+      if (pause > 0) await new Promise((done) => setTimeout(done, pause));
+      if (this.#life !== life) return;
+      failure = await this.#make(life);
+      if (this.#life !== life || failure === null) return;
+    }
+    this.#owner.withoutScene(failure);
+  }
+
+  /** One try, with WebGL2 after WebGPU. Returns what went wrong, null when nothing did. */
+  async #make(life: number): Promise<unknown> {
+    const wish = this.#wish;
+    try {
+      const { createScene } = await this.#load();
+      if (this.#life !== life) return null;
+      const { lineTexels } = this.#owner;
+      const limits = lineTexels === undefined ? {} : { lineTexels };
+      const scene = await createScene(this.#canvas(), { ...wish, ...limits });
+      if (this.#life !== life) scene.dispose();
+      else this.#show(scene);
+      return null;
+    } catch (error) {
+      const last = wish.backend === 'webgl2' || (error as Error | null)?.name === 'NoGraphicsError';
+      if (this.#life !== life || last) return error;
+      console.warn('rotund-sketch: WebGPU failed, WebGL2 is next.', error);
+      this.#gaveUp = `WebGPU failed: ${messageOf(error)}`;
+      return this.#make(life);
+    }
+  }
+
+  #canvas(): HTMLCanvasElement {
+    if (this.#used.has(this.#owner.canvas())) this.#owner.freshCanvas();
+    const canvas = this.#owner.canvas();
+    this.#used.add(canvas);
+    return canvas;
+  }
+
   #show(scene: Scene): void {
     const life = this.#life;
     this.#owner.show(scene);
     void scene.lost.then((reason) => {
-      if (this.#life === life) void this.#renew(reason);
+      if (this.#life === life) void this.#renew(reason, scene.backend);
     });
   }
 
-  async #failed(error: unknown, tried: BackendChoice): Promise<void> {
-    console.error(error);
-    if (tried === 'webgl2') {
-      this.#owner.withoutScene(error);
+  /** The strokes are the truth and none of them is on the device: a new scene shows them again, also in mid-stroke. */
+  async #renew(reason: string, backend: Scene['backend']): Promise<void> {
+    this.#life++;
+    const now = performance.now();
+    this.#losses = [...this.#losses.filter((then) => now - then < WITHIN), now];
+    const hopeless = this.#losses.length >= LOSSES;
+    this.#owner.lose(reason);
+    if (hopeless && backend === 'WebGL2') {
+      this.#owner.withoutScene(new Error(`WebGL2 was lost ${LOSSES} times: ${reason}`));
       return;
     }
-    this.#owner.freshCanvas();
-    await this.open('webgl2');
-  }
-
-  /** The strokes are the truth and none of them is on the device: a new scene shows them again, also in mid-stroke. */
-  async #renew(reason: string): Promise<void> {
-    this.#life++;
-    this.#owner.lose(reason);
-    this.#owner.freshCanvas();
-    await this.open();
+    if (hopeless) {
+      this.#losses = [];
+      this.#gaveUp = `WebGPU was lost ${LOSSES} times: ${reason}`;
+    }
+    await this.#try(PAUSES);
   }
 }

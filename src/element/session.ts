@@ -3,7 +3,7 @@
  * controls; the element draws those from here and calls back. Pointer moves only mark what is stale: the frame
  * does the work, and wet ink is drawn before it.
  */
-import { draftSolids, type Solid, solids } from '../document/build.ts';
+import { draftIsWhole, draftSolids, type Solid, solids } from '../document/build.ts';
 import { apply, type Command } from '../document/command/index.ts';
 import { type Brush, type Document, EMPTY_DOCUMENT, readingOf } from '../document/document.ts';
 import { type Drawing, FRONT_VIEW } from '../document/drawing.ts';
@@ -24,8 +24,12 @@ import type { View } from '../stroke/stroke.ts';
 import { idle } from '../tool/draw.ts';
 import { selecting } from '../tool/select.ts';
 import type { Bench, Pen, State, Notice as ToolNotice } from '../tool/tool.ts';
+import { trial } from '../tool/trial.ts';
 import type { Viewport } from '../tool/viewport.ts';
 import { CameraMoves } from './cameraMoves.ts';
+import { draftProblem } from './draftProblem.ts';
+import type { Cause } from './events.ts';
+import type { NoPicture } from './noPicture.ts';
 import { spoken } from './speech.ts';
 import { SURFACE, WORDS } from './words.ts';
 
@@ -41,9 +45,6 @@ export interface Notice {
 
 export const TOOLS = { draw: idle, select: selecting } as const;
 export type ToolName = keyof typeof TOOLS;
-
-/** What a change came from. */
-export type Cause = 'command' | 'undo' | 'redo';
 
 export interface Hooks {
   /** the controls are stale */
@@ -68,6 +69,8 @@ export class Session implements Bench, Viewport {
   /** last event, the words of the status line and the live region */
   said: string = WORDS.ready;
   notice: Notice | null = null;
+  /** there is no scene, and none comes */
+  noPicture: NoPicture | null = null;
   readonly camera = new CameraMoves(this);
   /** a person chose the background: the theme leaves it alone */
   choseBackground = false;
@@ -78,6 +81,8 @@ export class Session implements Bench, Viewport {
   #radius: number | null = null;
   /** until the slider is let go */
   #dragCancelled = false;
+  /** what a control that is being dragged shows */
+  #tuned: State | null = null;
   #synced = 0;
   /** where one looked from when there last was a scene */
   #lastView: View = FRONT_VIEW;
@@ -86,6 +91,7 @@ export class Session implements Bench, Viewport {
   #last = 0;
   /** the whole form is to be seen as soon as there is a scene */
   #fit = false;
+  #asleep = false;
   readonly #hooks: Hooks;
 
   constructor(hooks: Hooks) {
@@ -104,8 +110,27 @@ export class Session implements Bench, Viewport {
     return this.scene?.rig.view() ?? this.#lastView;
   }
 
-  pick(x: number, y: number) {
-    return this.scene?.pick(x, y) ?? null;
+  pick(x: number, y: number, except?: readonly string[]) {
+    return this.scene?.pick(x, y, except) ?? null;
+  }
+
+  focus(ids: readonly string[]): void {
+    this.camera.show(ids);
+  }
+
+  /** All of it is about to be shown. */
+  get toFit(): boolean {
+    return this.#fit;
+  }
+
+  /** Nobody can see it: no frames. What is stale stays so until somebody can. */
+  get asleep(): boolean {
+    return this.#asleep;
+  }
+
+  set asleep(on: boolean) {
+    this.#asleep = on;
+    if (!on) this.wake();
   }
 
   // ── commands ────────────────────────────────────────────────────────────────────────────────────────
@@ -157,7 +182,7 @@ export class Session implements Bench, Viewport {
     this.#setView(drawing.view, fit);
     if (fresh) {
       this.history = newHistory(document);
-      this.#replaced(before, [], 'command');
+      this.#replaced(before, [{ type: 'load', document, name }], 'command');
     } else this.commit([{ type: 'load', document, name }]);
   }
 
@@ -196,7 +221,7 @@ export class Session implements Bench, Viewport {
     this.update();
   }
 
-  /** Drawing deselects. */
+  /** Drawing deselects; the unfinished form stays as it is. */
   setTool(tool: ToolName): void {
     this.cancel();
     this.tool = tool;
@@ -215,12 +240,20 @@ export class Session implements Bench, Viewport {
     const kind = readingOf(this.document);
     if (!kind) return;
     this.said = WORDS.preview(kind);
-    const built = this.#solids(this.document).some(({ preview }) => preview);
-    if (!built && this.said !== WORDS.failed) this.said = WORDS.noSurface;
+    const problem = draftProblem(this.document);
+    if (problem) this.said = `${SURFACE[kind].long}: ${problem}`;
   }
 
   keep(): void {
-    if (this.document.draft) this.run({ type: 'keep' });
+    if (!this.document.draft) return;
+    // A part that nobody could see would stay in the drawing unnoticed.
+    if (draftIsWhole(this.document)) this.run({ type: 'keep' });
+    else this.#say(WORDS.cannotKeep);
+  }
+
+  #say(words: string): void {
+    this.said = words;
+    this.update();
   }
 
   drop(): void {
@@ -249,6 +282,8 @@ export class Session implements Bench, Viewport {
   holdRadius(): void {
     this.#dragCancelled = false;
     this.#radius = null;
+    if (this.state === this.#tuned) this.#to(this.idle);
+    this.#tuned = null;
     this.update();
   }
 
@@ -305,19 +340,46 @@ export class Session implements Bench, Viewport {
       return true;
     }
     const before = this.state;
-    this.#to(this.state.cancel());
+    if (before === this.#tuned) this.#dragCancelled = true;
+    this.#tuned = null;
+    this.#to(before.cancel());
     this.#hooks.changed();
     return before !== this.state;
   }
 
+  /** A gesture that starts elsewhere than on the picture, such as on a handle. */
+  begin(state: State): void {
+    this.cancel();
+    this.#to(state);
+  }
+
+  /** What the tool in hand waits in. */
+  get idle(): State {
+    return TOOLS[this.tool];
+  }
+
+  /** A control of the parts is being dragged: what it would do is only shown until it is let go. */
+  tune(command: Command, done: boolean): void {
+    if (this.#dragCancelled) return;
+    this.#tuned = null;
+    this.#to(this.idle);
+    if (done) this.run(command);
+    else {
+      this.#tuned = trial(command, this.idle);
+      this.#to(this.#tuned);
+    }
+  }
+
   #to(next: State | undefined): void {
     if (!next) return;
-    const began = Boolean(next.wet) !== Boolean(this.state.wet);
+    const shows = ({ wet, still }: State) => Boolean(wet ?? still);
+    const began = shows(next) !== shows(this.state);
     this.state = next;
     this.update(began);
   }
 
   notify(notice: ToolNotice): void {
+    if (notice === 'selected') this.saySelection();
     if (notice === 'too-short') this.said = WORDS.tooShort;
     if (notice === 'edge-on') {
       const first = this.document.draft?.strokes[0];
@@ -380,7 +442,7 @@ export class Session implements Bench, Viewport {
 
   /** One more frame, for a moving camera. */
   wake(): void {
-    this.#frame ||= requestAnimationFrame((now) => this.#tick(now));
+    if (!this.#asleep) this.#frame ||= requestAnimationFrame((now) => this.#tick(now));
   }
 
   #tick(now: number): void {

@@ -24,6 +24,12 @@ export function spoken(document: Document, command: Command): string | null {
     case 'addStroke':
     case 'setTubesOnly':
       return null;
+    case 'renamePart':
+      return WORDS.named(command.name.trim());
+    case 'moveParts':
+    case 'showParts':
+    case 'duplicateParts':
+      return describe(document, command);
     case 'load':
       return WORDS.opened(command.name);
     default:

@@ -12,6 +12,10 @@ export function systemTheme(): Theme {
   return matchMedia(DARK).matches ? 'dark' : 'light';
 }
 
+/** A name that is none is no theme. */
+export const themeOf = (name: string | null): Theme =>
+  name !== null && Object.hasOwn(PAPER_OF, name) ? (name as Theme) : systemTheme();
+
 export const reducedMotion = (): boolean => matchMedia(STILL).matches;
 
 export function watchSystem(changed: () => void, signal: AbortSignal): void {

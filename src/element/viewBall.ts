@@ -35,7 +35,7 @@ export function viewBall(view: View, actions: BallActions): TemplateResult {
   const ends = AXES.map((axis) => ({ ...axis, at: vec3.transformQuat([0, 0, 0], axis.direction, back) }));
   ends.sort((a, b) => a.at[2]! - b.at[2]!);
   const name = viewName(view);
-  return html`<div class="view chrome" role="group" aria-label="View: ${name}">
+  return html`<div class="view chrome" part="view-ball" role="group" aria-label="View: ${name}">
     <svg viewBox="0 0 76 76" @pointerdown=${(event: PointerEvent) => drag(event, actions)} @dblclick=${() => actions.reset()}>
       <circle cx="38" cy="38" r="35" fill="var(--surface)" stroke="var(--hairline)" />
       ${ends.map(({ name: axis, label, colour, at }) => {

@@ -8,7 +8,7 @@ import { readingOf } from '../document/document.ts';
 import type { Vec2 } from '../math/vec.ts';
 import { project, toWorld } from '../stroke/plane.ts';
 import type { Stroke } from '../stroke/stroke.ts';
-import type { Pen, Wet } from '../tool/tool.ts';
+import type { Band, Pen, Wet } from '../tool/tool.ts';
 import type { Session } from './session.ts';
 
 export interface InkColours {
@@ -46,6 +46,21 @@ export function drawInk(
   for (const line of lines) drawLine(context, line, colours.ink);
   for (const i of lines.keys()) drawNumber(context, i, lines, colours);
   if (session.state.wet) drawWet(context, session.state.wet, predicted, colours);
+  if (session.state.band) drawBand(context, session.state.band, colours);
+}
+
+/** The rectangle that selects what it takes in. */
+function drawBand(context: CanvasRenderingContext2D, { from, to }: Band, { pencil }: InkColours): void {
+  const box = [from.x, from.y, to.x - from.x, to.y - from.y] as const;
+  context.fillStyle = pencil;
+  context.globalAlpha = 0.08;
+  context.fillRect(...box);
+  context.globalAlpha = 1;
+  context.strokeStyle = pencil;
+  context.lineWidth = 1.5;
+  context.setLineDash([5, 4]);
+  context.strokeRect(...box);
+  context.setLineDash([]);
 }
 
 /** A stroke of the unfinished form as filtered, where the camera sees it now. */

@@ -35,19 +35,136 @@ export const WORDS = {
         ? `${names[0]} selected, 1 of ${of}`
         : `${names.length} parts selected`,
   nothingToDelete: 'Nothing to delete',
+  /** said of commands whose own words are a sentence: "Stem hidden" */
+  named: (name: string) => `Renamed to ${name}`,
   changed: (what: string) => `Changed: ${what}`,
   radius: (mm: number) => `Tube radius ${mm} mm`,
   style: (name: string) => `Style: ${name.toLowerCase()}`,
   tooShort: 'A dot is too short for a tube. Draw a longer line.',
   edgeOn: 'The form’s drawing plane is seen from its edge.',
   turnBack: 'Turn back',
-  noSurface: 'These strokes are too short for a surface.',
+  /** what an unfinished form is that no part can be made of */
+  encloses: 'encloses nothing',
+  tooShortForTube: 'too short',
+  notBuilt: 'could not be built',
+  twoTubes: 'Two tubes',
+  undoStroke: 'Undo',
+  cannotKeep: 'There is nothing to keep yet. Draw it again, or drop it.',
   failed: 'This surface could not be built. The strokes are safe.',
   penFound: 'Pen found. Fingers now turn the view.',
   letFingersDraw: 'Let fingers draw',
   webgl2: 'Drawing with WebGL2. Everything works, large solids take longer.',
   lost: 'The graphics device was lost. Your drawing is safe; the picture comes back.',
-  noPicture: 'This browser shows neither WebGPU nor WebGL2, so there is no picture. Your strokes are kept.',
+  tryAgain: 'Try again',
+  noPicture: 'No picture',
+  drawnBy: (backend: string, about: string | null) => (about ? `${backend}: ${about}` : backend),
+} as const;
+
+export const NO_PICTURE = {
+  title: 'There is no picture here',
+  missing: 'This browser gives neither WebGPU nor WebGL2. Perhaps its graphics acceleration is switched off.',
+  still:
+    'Your strokes are kept and shown as ink. Files can still be opened, saved and exported; solids and styles show up in another browser.',
+  why: (reason: string) => `The reason given: ${reason}`,
+  open: 'Open a file',
+  export: 'Export',
+  retry: 'Try again',
+} as const;
+
+/** A byte count as people read it. */
+const bytes = (size: number) =>
+  size < 1e6 ? `${Math.max(1, Math.round(size / 1e3))} kB` : `${(size / 1e6).toFixed(1)} MB`;
+
+/** Files: saved is in a file; kept is in the browser. */
+export const FILE_WORDS = {
+  untitled: 'Untitled',
+  file: 'the file',
+  gallery: 'Or open one',
+  galleryMore: 'and look how it was drawn',
+  strokes: (count: number) => (count === 1 ? '1 stroke' : `${count} strokes`),
+  tray: { none: '', saved: 'Saved', kept: 'Kept', saving: 'Saving', unsaved: 'Not saved' },
+  opening: (name: string) => `Opening ${name}`,
+  opened: (name: string, covers: boolean) =>
+    `${name || 'Drawing'} opened${covers ? '. Undo brings back your drawing' : ''}`,
+  notOpened: (name: string) => `${name} was not opened`,
+  openAnother: 'Open another',
+  tooLarge: (name: string) => `${name} is larger than 100 MB; no drawing is.`,
+  firstOf: (count: number, name: string) => `${name} opened, the first of ${count} files`,
+  drop: 'Drop a drawing to open it',
+  dropHint: 'Undo brings back what is here.',
+  fresh: (covers: boolean) => (covers ? 'New drawing. Undo brings back the one before' : 'New drawing'),
+  restored: (name: string) => (name ? `${name}, as you left it` : 'As you left it'),
+  saved: (file: string) => `Saved as ${file}`,
+  notSaved: 'Not saved',
+  notWritten: (why: string) => `The file could not be written: ${why}`,
+  nothingToSave: 'Nothing is drawn yet, so there is nothing to save',
+  saveAs: 'Save as',
+  saveCopy: 'Save a copy',
+  saveIt: 'Save it as a file',
+  full: 'Not saved: storage is full.',
+  blocked: 'Not saved: this browser does not let the page keep drawings.',
+  unreadable:
+    'The drawing kept here could not be read. It was put aside as it is, and nothing writes over it.',
+  elsewhere: 'Open in another tab. Only one of the two is kept.',
+  takeOver: 'Take over',
+  openCopy: 'Open a copy',
+  copyOf: (name: string) => `${name || 'Drawing'} copy`,
+  isCopy: 'This is a copy. Save it as a file to keep it',
+  tookOver: 'This tab keeps the drawing now',
+  picture: 'Picture',
+  exporting: (what: string) => `Writing ${what}`,
+  exported: (files: readonly { readonly name: string; readonly size: number }[]) =>
+    `${files.map(({ name, size }) => `${name}, ${bytes(size)}`).join('; ')}`,
+  notExported: (what: string) => `${what} was not written`,
+  noForms: 'Nothing to export yet: keep a form first.',
+  draftOut: 'The unfinished form is left out until you keep it.',
+  hiddenOut: (count: number) =>
+    count === 1 ? '1 hidden part is left out.' : `${count} hidden parts are left out.`,
+  allHidden: 'All parts are hidden: show one first.',
+  keptHere: 'Kept in this browser, on this device',
+  keptBut: 'Browsers may clear what they keep. A file is yours.',
+  keepsNothing: 'Not kept in this browser',
+  keptElsewhere: 'Another tab is kept in this browser, not this one',
+  keeping: 'Being kept in this browser',
+  inFile: (file: string) => `Saved in ${file}`,
+  changedSince: (file: string) => `Changed since it was saved in ${file}`,
+  noFile: 'Not in a file yet',
+} as const;
+
+/** Words of what is in the hand. */
+export const PART_WORDS = {
+  select: 'Select',
+  parts: (count: number) => (count === 1 ? 'Parts, 1' : `Parts, ${count}`),
+  list: 'Parts of the drawing',
+  none: 'No parts yet. Draw a line and keep it.',
+  choose: 'Tap a part in the drawing or in the list to select it.',
+  strokes: (count: number) => (count === 1 ? '1 stroke' : `${count} strokes`),
+  triangles: (count: number) => `${count.toLocaleString('en')} triangles`,
+  hidden: 'hidden',
+  hide: (name: string) => `Hide ${name}`,
+  show: (name: string) => `Show ${name}`,
+  several: (count: number) => `${count} parts`,
+  name: 'Name',
+  colour: 'Colour',
+  colourOf: (name: string) => `Colour of ${name}`,
+  mixed: 'Several',
+  radius: 'Radius',
+  handles: (name: string) => `Move ${name}`,
+  handleHint: 'Drag, or press the arrow keys: 1 mm, with Shift 10 mm.',
+  handle: {
+    view: 'Move in the view plane',
+    x: 'Move along X',
+    y: 'Move along Y',
+    z: 'Move along Z',
+    surface: 'Slide over the surface',
+  },
+  action: {
+    hide: 'Hide',
+    show: 'Show',
+    focus: 'Focus',
+    duplicate: 'Duplicate',
+    remove: 'Delete',
+  },
 } as const;
 
 export const STYLE_NAMES = {
@@ -61,8 +178,9 @@ export type ShownStyle = keyof typeof STYLE_NAMES;
 /** Hot keys, for tooltips and the sheet. The thesis' own where it has one. */
 export const KEYS: readonly { readonly keys: string; readonly does: string }[] = [
   { keys: 'D', does: 'Draw' },
+  { keys: 'V', does: 'Select' },
   { keys: 'N or Enter', does: 'Keep the form' },
-  { keys: 'Esc', does: 'Cancel the stroke, drop the form' },
+  { keys: 'Esc', does: 'Cancel the stroke, drop the form, let go' },
   { keys: 'U or Ctrl Z', does: 'Undo' },
   { keys: 'Shift Z or Ctrl Shift Z', does: 'Redo' },
   { keys: 'Q, Shift Q', does: 'Thicker, thinner tube' },
@@ -71,10 +189,16 @@ export const KEYS: readonly { readonly keys: string; readonly does: string }[] =
   { keys: 'P', does: 'Paper grain' },
   { keys: 'W', does: 'Wireframe' },
   { keys: 'F', does: 'Full screen' },
+  { keys: 'Delete', does: 'Delete what is selected' },
+  { keys: 'H', does: 'Hide or show what is selected' },
+  { keys: 'Ctrl A', does: 'Select everything' },
   { keys: 'C', does: 'Delete the last part' },
   { keys: 'E', does: 'Delete everything' },
   { keys: 'Arrows', does: 'Turn the view' },
   { keys: 'Home', does: 'Show everything' },
   { keys: '0', does: 'Reset the view' },
+  { keys: 'Ctrl S', does: 'Save' },
+  { keys: 'Ctrl Shift S', does: 'Save as another file' },
+  { keys: 'Ctrl O', does: 'Open a file' },
   { keys: '?', does: 'This sheet' },
 ];

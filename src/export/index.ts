@@ -4,6 +4,12 @@
  */
 import { type Resolution, type Solid, solids } from '../document/build.ts';
 import type { Document } from '../document/document.ts';
+import { glb } from './glb.ts';
+import { obj } from './obj.ts';
+import { ply } from './ply.ts';
+import { stl } from './stl.ts';
+
+export { ExportError } from './error.ts';
 
 export interface Model {
   /** without extension, as in the files' names; never empty */
@@ -25,12 +31,13 @@ export interface Exporter {
   /** one line: what it carries and in which unit */
   readonly carries: string;
   readonly mime: string;
+  /** A model without triangles makes a valid file without any. ExportError when the model cannot be written. */
   write(model: Model): Promise<readonly OutFile[]>;
 }
 
 export type Format = 'obj' | 'glb' | 'stl' | 'ply';
 
-export const exporters: Partial<Record<Format, Exporter>> = {};
+export const exporters: Readonly<Record<Format, Exporter>> = { obj, glb, stl, ply };
 
 /** The kept, visible parts of a document; the unfinished form is left out. */
 export function modelOf(document: Document, name: string, resolution?: Resolution): Model {

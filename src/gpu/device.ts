@@ -30,7 +30,7 @@ export interface OpenedDevice {
   release(): void;
 }
 
-export type DeviceResult = OpenedDevice | { readonly reason: string };
+export type DeviceResult = OpenedDevice | Failure;
 
 /** Wanted where the adapter has it; the default of the standard is the floor. Bytes, and buffers a stage. */
 const WANTED_LIMITS = {
@@ -41,71 +41,112 @@ const WANTED_LIMITS = {
   maxTextureDimension2D: 16384,
 } as const;
 
-interface Shared {
-  users: number;
-  readonly made: Promise<MadeDevice | { readonly reason: string }>;
+/** ms: a device that has not answered by then is none; software adapters on busy machines take seconds. */
+const PATIENCE = 20_000;
+/** A device may be lost while it is tested, when the one before took the graphics process with it. */
+const ATTEMPTS = 3;
+
+interface Failure {
+  readonly reason: string;
 }
 
 interface MadeDevice {
   readonly device: GPUDevice;
   readonly description: DeviceDescription;
+  /** Resolves for every loss but our own giving back. */
   readonly lost: Promise<string>;
+}
+
+interface Shared {
+  /** What each user wants to be told of the loss. A device outlives most of its users and must not hold on to them. */
+  readonly users: Set<(reason: string) => void>;
+  readonly made: Promise<MadeDevice | Failure>;
 }
 
 // One entry per GPU object: a page has one, tests have several.
 const sharedDevices = new WeakMap<GPU, Shared>();
 
 /** Opens the shared device, or says why there is none. Never throws. */
-export async function openDevice(gpu: GPU | undefined): Promise<DeviceResult> {
+export async function openDevice(gpu: GPU | undefined, patience = PATIENCE): Promise<DeviceResult> {
   if (!gpu) return { reason: 'this browser has no WebGPU' };
-  let shared = sharedDevices.get(gpu);
-  if (!shared) {
-    shared = { users: 0, made: makeDevice(gpu).catch((error) => ({ reason: message(error) })) };
-    sharedDevices.set(gpu, shared);
-  }
-  shared.users++;
+  const shared = sharedDevices.get(gpu) ?? share(gpu, patience);
+  let tell: (reason: string) => void = () => {};
+  const lost = new Promise<string>((resolve) => {
+    tell = resolve;
+  });
+  shared.users.add(tell);
   const made = await shared.made;
-  if ('reason' in made) {
-    forget(gpu, shared);
-    return made;
-  }
-  // A lost device is forgotten at once, so that the next element gets a fresh one.
-  const current = shared;
-  void made.lost.then(() => forget(gpu, current));
-  return { ...made, release: releaseOnce(gpu, shared, made.device) };
+  if ('reason' in made) return made;
+  const release = () => {
+    if (shared.users.delete(tell) && shared.users.size === 0) {
+      forget(gpu, shared);
+      giveBack(made.device);
+    }
+  };
+  return { device: made.device, description: made.description, lost, release };
 }
 
-function releaseOnce(gpu: GPU, shared: Shared, device: GPUDevice): () => void {
-  let released = false;
-  return () => {
-    if (released) return;
-    released = true;
-    if (--shared.users > 0) return;
+function share(gpu: GPU, patience: number): Shared {
+  const made = inTime(makeDevice(gpu), patience).catch((error) => ({ reason: message(error) }));
+  const shared: Shared = { users: new Set(), made };
+  sharedDevices.set(gpu, shared);
+  void made.then(async (result) => {
+    // What failed is forgotten, and so is what was lost: the next element asks anew.
+    const reason = 'reason' in result ? result.reason : await result.lost;
     forget(gpu, shared);
-    giveBack(device);
-  };
+    for (const tell of shared.users) tell(reason);
+  });
+  return shared;
 }
 
 function forget(gpu: GPU, shared: Shared): void {
   if (sharedDevices.get(gpu) === shared) sharedDevices.delete(gpu);
 }
 
-async function makeDevice(gpu: GPU): Promise<MadeDevice | { readonly reason: string }> {
-  const adapter = await gpu.requestAdapter({ powerPreference: 'high-performance' });
-  if (!adapter) return { reason: 'WebGPU found no graphics adapter' };
+/** Some drivers never answer. What comes too late is given back. */
+async function inTime(made: Promise<MadeDevice | Failure>, patience: number): Promise<MadeDevice | Failure> {
+  let timer: ReturnType<typeof setTimeout> | undefined;
+  const tooLate = new Promise<null>((resolve) => {
+    timer = setTimeout(() => resolve(null), patience);
+  });
+  const first = await Promise.race([made, tooLate]);
+  clearTimeout(timer);
+  if (first) return first;
+  void made.then(
+    (late) => 'device' in late && giveBack(late.device),
+    () => {},
+  );
+  return { reason: `the graphics device did not answer within ${patience / 1000} s` };
+}
+
+async function makeDevice(gpu: GPU): Promise<MadeDevice | Failure> {
+  let loss = '';
+  for (let attempt = 0; attempt < ATTEMPTS; attempt++) {
+    const adapter = await gpu.requestAdapter({ powerPreference: 'high-performance' });
+    if (!adapter) return { reason: 'WebGPU found no graphics adapter' };
+    const made = await fromAdapter(adapter);
+    const failure = await Promise.race([test(made.device), made.lost.then((reason) => ({ loss: reason }))]);
+    if (!failure) return made;
+    giveBack(made.device);
+    if ('reason' in failure) return failure;
+    loss = failure.loss;
+  }
+  return { reason: `device lost ${ATTEMPTS} times: ${loss}` };
+}
+
+async function fromAdapter(adapter: GPUAdapter): Promise<MadeDevice> {
   const core = adapter.features.has('core-features-and-limits');
   const device = await adapter.requestDevice({
     label: 'rotund',
     requiredFeatures: core ? ['core-features-and-limits'] : [],
     requiredLimits: wantedLimits(adapter),
   });
-  const lost = surfaceLoss(device);
-  const failure = await Promise.race([selfTest(device), lost.then((reason) => `device lost: ${reason}`)]);
-  if (failure) {
-    giveBack(device);
-    return { reason: `self-test failed: ${failure}` };
-  }
-  return { device, description: describe(adapter, device, core), lost };
+  return { device, description: describe(adapter, device, core), lost: surfaceLoss(device) };
+}
+
+async function test(device: GPUDevice): Promise<Failure | null> {
+  const wrong = await selfTest(device).catch(message);
+  return wrong === null ? null : { reason: `self-test failed: ${wrong}` };
 }
 
 /** Devices that are gone because nobody needs them any more. */
@@ -116,7 +157,7 @@ function giveBack(device: GPUDevice): void {
   device.destroy();
 }
 
-/** Resolves for every loss but our own giving back, also when another script destroys the device. */
+/** Also when another script destroys the device. */
 function surfaceLoss(device: GPUDevice): Promise<string> {
   return new Promise((resolve) => {
     void device.lost.then((info) => {

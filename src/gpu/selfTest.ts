@@ -12,6 +12,12 @@ const SIDE = 16;
 /** bytes; the least row pitch WebGPU copies with */
 const ROW = 256;
 
+/** What of the device is used for one question, all of it to be given back. */
+interface Asked {
+  readonly answer: GPUBuffer;
+  readonly used: readonly (GPUBuffer | GPUTexture)[];
+}
+
 /** Returns what went wrong, or null when the device computes and draws as it should. */
 export async function selfTest(device: GPUDevice): Promise<string | null> {
   device.pushErrorScope('validation');
@@ -21,14 +27,15 @@ export async function selfTest(device: GPUDevice): Promise<string | null> {
   const picture = encodeDraw(device, encoder, module);
   device.queue.submit([encoder.finish()]);
   const error = await device.popErrorScope();
-  if (error) return error.message;
-  const failure = wrongNumber(await read(numbers)) ?? wrongPixel(await read(picture));
-  numbers.destroy();
-  picture.destroy();
-  return failure;
+  try {
+    if (error) return error.message;
+    return wrongNumber(await read(numbers.answer)) ?? wrongPixel(await read(picture.answer));
+  } finally {
+    for (const resource of [...numbers.used, ...picture.used]) resource.destroy();
+  }
 }
 
-function encodeCompute(device: GPUDevice, encoder: GPUCommandEncoder, module: GPUShaderModule): GPUBuffer {
+function encodeCompute(device: GPUDevice, encoder: GPUCommandEncoder, module: GPUShaderModule): Asked {
   const size = NUMBERS * Float32Array.BYTES_PER_ELEMENT;
   const storage = device.createBuffer({ label: 'self-test numbers', size, usage: 0x80 | 0x4 });
   const pipeline = device.createComputePipeline({
@@ -48,10 +55,10 @@ function encodeCompute(device: GPUDevice, encoder: GPUCommandEncoder, module: GP
   pass.end();
   const readable = readableBuffer(device, 'self-test numbers, read back', size);
   encoder.copyBufferToBuffer(storage, 0, readable, 0, size);
-  return readable;
+  return { answer: readable, used: [storage, readable] };
 }
 
-function encodeDraw(device: GPUDevice, encoder: GPUCommandEncoder, module: GPUShaderModule): GPUBuffer {
+function encodeDraw(device: GPUDevice, encoder: GPUCommandEncoder, module: GPUShaderModule): Asked {
   const format = 'rgba8unorm';
   const texture = device.createTexture({
     label: 'self-test picture',
@@ -75,7 +82,7 @@ function encodeDraw(device: GPUDevice, encoder: GPUCommandEncoder, module: GPUSh
   pass.end();
   const readable = readableBuffer(device, 'self-test picture, read back', ROW * SIDE);
   encoder.copyTextureToBuffer({ texture }, { buffer: readable, bytesPerRow: ROW }, [SIDE, SIDE]);
-  return readable;
+  return { answer: readable, used: [texture, readable] };
 }
 
 // GPUBufferUsage and GPUTextureUsage are globals of browsers only, hence the numbers of the standard here:

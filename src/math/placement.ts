@@ -14,6 +14,12 @@ export interface Placement {
 
 export const UNMOVED: Placement = { rotation: [0, 0, 0, 1], translation: [0, 0, 0] };
 
+/** Leaves everything where it is. */
+export function isUnmoved({ rotation, translation }: Placement): boolean {
+  const [x, y, z, w] = rotation;
+  return Math.abs(w) === 1 && [x, y, z, ...translation].every((value) => value === 0);
+}
+
 export function place3({ rotation, translation }: Placement, p: Vec3): Vec3 {
   return add3(rotate3(rotation, p), translation);
 }

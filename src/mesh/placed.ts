@@ -1,11 +1,12 @@
 /** A mesh somewhere else: positions moved and turned, normals turned; what does not change is shared. */
-import { type Placement, place3, UNMOVED } from '../math/placement.ts';
+import { isUnmoved, type Placement, place3 } from '../math/placement.ts';
 import { rotate3 } from '../math/tuple.ts';
 import type { Vec3 } from '../math/vec.ts';
 import type { Mesh } from './mesh.ts';
 
 export function placed(mesh: Mesh, placement: Placement): Mesh {
-  if (placement === UNMOVED) return mesh;
+  // by its numbers: a document that comes from a file gives the very same mesh
+  if (isUnmoved(placement)) return mesh;
   return {
     ...mesh,
     positions: mapped(mesh.positions, (p) => place3(placement, p)),

@@ -1,18 +1,19 @@
 /** The picture: items in, pixels out. The only folder that knows three.js. */
 import type { DeviceDescription } from '../gpu/device.ts';
-import type { View } from '../stroke/stroke.ts';
 import { CameraRig } from './cameraRig.ts';
 import type { Look } from './look.ts';
 import type { SceneItem } from './part.ts';
 import { type Hit, pick } from './pick.ts';
+import { type PictureOptions, Studio, takePicture } from './picture.ts';
 import { LINE_TEXELS, LINE_TEXELS_IN_SOFTWARE, Pipeline } from './pipeline.ts';
-import { type Backend, createRenderer } from './renderer.ts';
+import { type Backend, createRenderer, type SceneRenderer } from './renderer.ts';
 
 export type { DeviceDescription } from '../gpu/device.ts';
 export { CameraRig } from './cameraRig.ts';
 export { type Background, DEFAULT_LOOK, type KernelChoice, type Look, type Style } from './look.ts';
 export type { SceneItem } from './part.ts';
 export type { Hit } from './pick.ts';
+export type { PictureOptions } from './picture.ts';
 export type { Backend } from './renderer.ts';
 export { type Face, FRONT_VIEW } from './view.ts';
 
@@ -25,7 +26,7 @@ export interface Scene {
   readonly description: DeviceDescription | null;
   /** why there is no WebGPU; null when there is */
   readonly fallbackReason: string | null;
-  /** Resolves, with the reason, when the device is gone: make a new scene on a new canvas. */
+  /** Resolves, with the reason, when the device is gone or of no use: make a new scene on a new canvas. */
   readonly lost: Promise<string>;
   readonly rig: CameraRig;
   /** of the last frame, over all passes */
@@ -36,42 +37,55 @@ export interface Scene {
   setLook(look: Look): void;
   /** CSS pixels, and device pixels a CSS pixel */
   resize(width: number, height: number, devicePixelRatio: number): void;
-  /** CSS pixels from the upper left; previews too, the id tells */
-  pick(x: number, y: number): Hit | null;
+  /** CSS pixels from the upper left; previews too, the id tells; items with the ids of `except` are looked through */
+  pick(x: number, y: number, except?: readonly string[]): Hit | null;
   /** One frame, now. */
   render(): void;
   /** The parts with a blue contour. */
   select(ids: readonly string[]): void;
-  /** A picture of any size, without disturbing the one on the screen: kept parts only, nothing selected. */
+  /**
+   * A picture of 16 to 8192 pixels a side, without disturbing the one on the screen: kept parts only, nothing
+   * selected. Fails, with words for people, when the device cannot hold it or is lost.
+   */
   picture(options: PictureOptions): Promise<ImageData>;
   /** Draws a frame and resolves when it is on the screen with all its pipelines compiled. */
   compile(): Promise<void>;
   dispose(): void;
 }
 
-export interface PictureOptions {
-  /** pixels */
-  readonly width: number;
-  readonly height: number;
-  readonly view: View;
-  readonly look: Look;
-  readonly items: readonly SceneItem[];
-}
-
 export interface SceneOptions {
   /** auto = WebGPU where it works, else WebGL2 */
   readonly backend?: 'auto' | 'webgl2';
+  /** why WebGL2 is asked for, in words */
+  readonly because?: string | undefined;
   /** the most texels lines are found in: twice the screen's resolution as long as they suffice; 12 bytes each */
   readonly lineTexels?: number;
 }
 
 /** Never fails for want of WebGPU; throws only when there is no WebGL2 either. */
 export async function createScene(canvas: HTMLCanvasElement, options: SceneOptions = {}): Promise<Scene> {
-  const made = await createRenderer(canvas, options.backend ?? 'auto');
+  const made = await createRenderer(canvas, options.backend ?? 'auto', options.because);
+  try {
+    return makeScene(made, options);
+  } catch (error) {
+    made.dispose();
+    throw error;
+  }
+}
+
+function makeScene(made: SceneRenderer, options: SceneOptions): Scene {
   const { renderer, device } = made;
   const rig = new CameraRig();
   const affordable = made.description?.software ? LINE_TEXELS_IN_SOFTWARE : LINE_TEXELS;
-  const pipeline = new Pipeline(renderer, options.lineTexels ?? affordable);
+  const lineTexels = options.lineTexels ?? affordable;
+  const pipeline = new Pipeline(renderer, { lineTexels, maxSide: made.maxSide });
+  let studio: Studio | null = null;
+  let drew = false;
+  let giveUp: (reason: string) => void = () => {};
+  const lost = new Promise<string>((resolve) => {
+    giveUp = resolve;
+  });
+  void made.lost.then(giveUp);
   let width = 1;
   let height = 1;
   const scene: Scene = {
@@ -79,18 +93,16 @@ export async function createScene(canvas: HTMLCanvasElement, options: SceneOptio
     device,
     description: made.description,
     fallbackReason: made.fallbackReason,
-    lost: made.lost,
+    lost,
     rig,
     get drawCalls() {
-      return renderer.info.render.drawCalls;
+      return pipeline.drawCalls;
     },
     get triangles() {
-      return renderer.info.render.triangles;
+      return pipeline.triangles;
     },
     sync(items) {
-      if (!pipeline.parts.sync(items)) return;
-      const { center, radius } = pipeline.parts.sphere;
-      rig.setBounds(radius > 0 ? { centre: center.toArray(), radius } : null);
+      if (pipeline.parts.sync(items)) rig.setBounds(pipeline.parts.ball);
     },
     setLook: (look) => pipeline.setLook(look),
     resize(newWidth, newHeight, devicePixelRatio) {
@@ -99,15 +111,25 @@ export async function createScene(canvas: HTMLCanvasElement, options: SceneOptio
       rig.resize(width, height);
       pipeline.resize(width, height, devicePixelRatio);
     },
-    pick: (x, y) => pick(pipeline.parts.all(), rig.camera, (2 * x) / width - 1, 1 - (2 * y) / height),
-    render: () => pipeline.render(rig.camera, rig.view()),
-    select() {},
-    picture: () => Promise.reject(new Error('not yet')),
+    pick: (x, y, except) =>
+      pick(pipeline.parts.all(), rig.camera, (2 * x) / width - 1, 1 - (2 * y) / height, except),
+    render() {
+      // A lost device takes commands without a word, but three complains of what it gets from it.
+      if (made.gone !== null) return;
+      const draw = async () => pipeline.render(rig.camera, rig.view());
+      // What the self-test did not find out shows at the first frame. It is no better than a loss.
+      const drawn = drew ? draw() : made.watched(draw);
+      drew = true;
+      drawn.catch((error) => giveUp(`it could not draw: ${error instanceof Error ? error.message : error}`));
+    },
+    select: (ids) => pipeline.parts.select(ids),
+    picture: (wanted) => takePicture(made, () => (studio ??= new Studio(made)), wanted),
     async compile() {
       scene.render();
-      await device?.queue.onSubmittedWorkDone();
+      await made.finished();
     },
     dispose() {
+      studio?.dispose();
       pipeline.dispose();
       rig.dispose();
       made.dispose();

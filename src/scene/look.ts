@@ -14,6 +14,7 @@ export const PAPER_COLOUR: Readonly<Record<Background, string>> = {
 
 const INK = '#2a2520';
 const CHALK = '#f2ecdf';
+const PENCIL = { onLight: '#2b59c3', onDark: '#93b4ff' } as const;
 
 export function isDark(background: Background): boolean {
   return background === 'blue' || background === 'black';
@@ -22,6 +23,11 @@ export function isDark(background: Background): boolean {
 /** Lines are ink on light paper and chalk on dark. */
 export function lineColour(background: Background): string {
   return isDark(background) ? CHALK : INK;
+}
+
+/** What the program draws on the paper is blue pencil, whatever the theme of the controls. */
+export function pencilColour(background: Background): string {
+  return isDark(background) ? PENCIL.onDark : PENCIL.onLight;
 }
 
 /** #rrggbb → red, green, blue, 0–1, still display values. */

@@ -6,6 +6,7 @@ import type { Style } from './look.ts';
 import { type PageUniforms, pageMaterial } from './page.ts';
 import type { PartMaterials } from './part.ts';
 import { previewMaterial } from './preview.ts';
+import { type SelectionUniforms, seenMaterial, silhouetteMaterial } from './selection.ts';
 import { gouraudMaterial, phongMaterial } from './shading.ts';
 import type { Targets } from './targets.ts';
 import { occluderMaterial, toonMaterial, wireMaterial } from './toon.ts';
@@ -14,6 +15,7 @@ export interface Uniforms {
   readonly lines: LineUniforms;
   readonly ink: InkUniforms;
   readonly page: PageUniforms;
+  readonly selection: SelectionUniforms;
 }
 
 export class Materials implements PartMaterials {
@@ -21,6 +23,8 @@ export class Materials implements PartMaterials {
   readonly occluder: NodeMaterial;
   readonly wire: NodeMaterial;
   readonly preview: NodeMaterial;
+  readonly silhouette: NodeMaterial;
+  readonly seen: NodeMaterial;
   readonly #uniforms: Uniforms;
   readonly #targets: Targets;
   readonly #grain: Texture;
@@ -34,6 +38,8 @@ export class Materials implements PartMaterials {
     this.line = this.#once('line', () => lineMaterial(lines));
     this.occluder = this.#once('occluder', occluderMaterial);
     this.wire = this.#once('wire', () => wireMaterial(page.line));
+    this.silhouette = this.#once('silhouette', silhouetteMaterial);
+    this.seen = this.#once('seen', seenMaterial);
     this.preview = this.#once('preview', () => previewMaterial(targets.edges.texture, lines, page));
   }
 
@@ -58,15 +64,16 @@ export class Materials implements PartMaterials {
     return this.#once(`edges ${kernel}`, () => edgeMaterial(lines.texture, this.#uniforms.lines, kernel));
   }
 
-  page(lines: boolean, fills: boolean, previews: boolean): NodeMaterial {
+  page(lines: boolean, fills: boolean, previews: boolean, selected: boolean): NodeMaterial {
     const shown = (target: RenderTarget, on: boolean) => (on ? target.texture : null);
-    const { edges, colour, preview } = this.#targets;
-    return this.#once(`page ${lines} ${fills} ${previews}`, () =>
-      pageMaterial(this.#uniforms.page, {
+    const { edges, colour, preview, selection } = this.#targets;
+    return this.#once(`page ${lines} ${fills} ${previews} ${selected}`, () =>
+      pageMaterial(this.#uniforms, {
         grain: this.#grain,
         colour: shown(colour, fills),
         edges: shown(edges, lines),
         preview: shown(preview, previews),
+        selection: shown(selection, selected),
       }),
     );
   }

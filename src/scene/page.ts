@@ -5,6 +5,7 @@
 import { mix, screenCoordinate, screenUV, texture, uniform, vec2, vec4 } from 'three/tsl';
 import { type Node, NodeMaterial, type Texture, Vector2, Vector3 } from 'three/webgpu';
 import { TILE } from './paper.ts';
+import { contourCoverage, type SelectionUniforms } from './selection.ts';
 
 export class PageUniforms {
   readonly paper = uniform(new Vector3());
@@ -24,13 +25,18 @@ export interface PageTextures {
   readonly colour: Texture | null;
   readonly edges: Texture | null;
   readonly preview: Texture | null;
+  readonly selection: Texture | null;
 }
 
-export function pageMaterial(uniforms: PageUniforms, textures: PageTextures): NodeMaterial {
+export function pageMaterial(
+  { page: uniforms, selection }: { readonly page: PageUniforms; readonly selection: SelectionUniforms },
+  textures: PageTextures,
+): NodeMaterial {
   let page: Node<'vec3'> = paper(uniforms, textures.grain);
   if (textures.colour) page = over(page, texture(textures.colour, screenUV));
   if (textures.edges) page = mix(page, uniforms.line, smoothCoverage(textures.edges, uniforms).x);
   if (textures.preview) page = over(page, texture(textures.preview, screenUV));
+  if (textures.selection) page = mix(page, selection.pencil, contourCoverage(textures.selection, selection));
   const material = new NodeMaterial();
   material.name = 'page';
   material.depthTest = false;

@@ -13,6 +13,8 @@ import {
 } from 'three/webgpu';
 import type { Mesh } from '../mesh/mesh.ts';
 import { displayRgb } from './look.ts';
+import { MASK_ORDER } from './selection.ts';
+import type { Ball } from './view.ts';
 
 export interface SceneItem {
   readonly id: string;
@@ -31,6 +33,9 @@ export interface Part {
   /** those of the colour pass; a preview has none */
   readonly fill: ThreeMesh | null;
   readonly wire: ThreeMesh | null;
+  /** those of the selection's mask; a preview has none */
+  readonly silhouette: ThreeMesh | null;
+  readonly mask: ThreeMesh | null;
 }
 
 /** What the parts are drawn with, one material a pass for all of them. */
@@ -39,6 +44,8 @@ export interface PartMaterials {
   readonly occluder: Material;
   readonly wire: Material;
   readonly preview: Material;
+  readonly silhouette: Material;
+  readonly seen: Material;
 }
 
 /** One three scene a pass, so that a pass is a list of what it draws and nothing is switched on and off. */
@@ -46,12 +53,14 @@ export class Parts {
   readonly lines = named('lines');
   readonly colour = named('colour');
   readonly preview = named('preview');
+  readonly selection = named('selection');
   /** around everything; radius 0 when there is nothing */
   readonly sphere = new Sphere(new Vector3(), 0);
   readonly #parts = new Map<string, Part>();
   readonly #materials: PartMaterials;
   #fill: Material;
   #wireframe = false;
+  #selected: ReadonlySet<string> = new Set();
 
   constructor(materials: PartMaterials, fill: Material) {
     this.#materials = materials;
@@ -68,6 +77,16 @@ export class Parts {
 
   get hasKept(): boolean {
     return [...this.#parts.values()].some((part) => !part.item.preview);
+  }
+
+  get hasSelected(): boolean {
+    return this.#selected.size > 0 && [...this.#parts.values()].some((part) => part.silhouette?.visible);
+  }
+
+  /** The sphere as plain numbers, null when there is nothing. */
+  get ball(): Ball | null {
+    const { center, radius } = this.sphere;
+    return radius > 0 ? { centre: center.toArray(), radius } : null;
   }
 
   /** Returns whether geometry or what is a preview changed, in other words whether lines and bounds did. */
@@ -94,6 +113,11 @@ export class Parts {
     for (const { wire } of this.#parts.values()) if (wire) wire.visible = on;
   }
 
+  select(ids: readonly string[]): void {
+    this.#selected = new Set(ids);
+    for (const part of this.#parts.values()) this.#mark(part);
+  }
+
   dispose(): void {
     this.sync([]);
   }
@@ -110,7 +134,17 @@ export class Parts {
     for (const mesh of part.meshes) mesh.name = item.id;
     this.#parts.set(item.id, part);
     this.#recolour(part, item);
+    this.#mark(part);
     return true;
+  }
+
+  /** In the mask a part is either what is selected or what may hide it. */
+  #mark({ item, silhouette, mask }: Part): void {
+    if (!silhouette || !mask) return;
+    const selected = this.#selected.has(item.id);
+    silhouette.visible = selected;
+    mask.material = selected ? this.#materials.seen : this.#materials.occluder;
+    mask.renderOrder = selected ? MASK_ORDER.seen : MASK_ORDER.others;
   }
 
   #fully(geometry: BufferGeometry): Omit<Part, 'item' | 'geometry'> {
@@ -121,7 +155,10 @@ export class Parts {
     wire.visible = this.#wireframe;
     // before the grid, which is blended over what is there
     wire.renderOrder = 1;
-    return { meshes: [line, fill, wire, occluder], fill, wire };
+    const silhouette = add(this.selection, geometry, this.#materials.silhouette);
+    silhouette.renderOrder = MASK_ORDER.silhouette;
+    const mask = add(this.selection, geometry, this.#materials.occluder);
+    return { meshes: [line, fill, wire, occluder, silhouette, mask], fill, wire, silhouette, mask };
   }
 
   /** Depth first, then colour where it is nearest: the inside of a light form never shows through it. */
@@ -129,7 +166,7 @@ export class Parts {
     const depth = add(this.preview, geometry, this.#materials.occluder);
     const colour = add(this.preview, geometry, this.#materials.preview);
     colour.renderOrder = 1;
-    return { meshes: [depth, colour], fill: null, wire: null };
+    return { meshes: [depth, colour], fill: null, wire: null, silhouette: null, mask: null };
   }
 
   #recolour(part: Part, item: SceneItem): void {

@@ -35,14 +35,20 @@ function hierarchy(geometry: BufferGeometry): MeshBVH {
   return built;
 }
 
-/** x, y from −1 to 1, right and up. */
-export function pick(parts: Iterable<Part>, camera: Camera, x: number, y: number): Hit | null {
+/** x, y from −1 to 1, right and up; items with the ids of `except` are looked through. */
+export function pick(
+  parts: Iterable<Part>,
+  camera: Camera,
+  x: number,
+  y: number,
+  except: readonly string[] = [],
+): Hit | null {
   const caster = new Raycaster();
   caster.setFromCamera(new Vector2(x, y), camera);
   let nearest: Hit | null = null;
   let distance = Infinity;
   for (const { geometry, item } of parts) {
-    if (item.mesh.indices.length === 0) continue;
+    if (item.mesh.indices.length === 0 || except.includes(item.id)) continue;
     const hit = hierarchy(geometry).raycastFirst(caster.ray, DoubleSide);
     if (!hit || hit.distance >= distance || !hit.face) continue;
     distance = hit.distance;

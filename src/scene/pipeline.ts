@@ -5,7 +5,8 @@
  *   2 edges    a kernel over them → how much of a texel is line                alike
  *   3 colour   parts in the style's material, wires, grid → 4 samples a pixel  unless there is nothing to fill
  *   4 preview  forms not yet kept, lightly → 4 samples a pixel                 when there are any
- *   5 page     paper, colour, lines, preview → the canvas
+ *   5 mask     what is selected, and what hides it → 4 samples a pixel         when anything is
+ *   6 page     paper, colour, lines, preview, blue contour → the canvas, or a target of its own for a picture
  *
  * Lines and colour are two passes because attachments of one pass share a sample count, and normals must not be
  * averaged before they are compared. The line passes run at up to twice the screen's resolution and the page pass
@@ -18,11 +19,20 @@ import type { View } from '../stroke/stroke.ts';
 import { Grid } from './grid.ts';
 import { type Kernel, LineUniforms } from './hbed.ts';
 import { InkUniforms } from './ink.ts';
-import { DEFAULT_LOOK, displayRgb, isDark, type Look, lineColour, PAPER_COLOUR } from './look.ts';
+import {
+  DEFAULT_LOOK,
+  displayRgb,
+  isDark,
+  type Look,
+  lineColour,
+  PAPER_COLOUR,
+  pencilColour,
+} from './look.ts';
 import { Materials } from './materials.ts';
 import { PageUniforms } from './page.ts';
 import { GRAIN, makeGrain } from './paper.ts';
 import { Parts } from './part.ts';
+import { SelectionUniforms } from './selection.ts';
 import { makeTargets } from './targets.ts';
 
 /** Lines are found at up to this many texels a CSS pixel, at most twice the screen's resolution, … */
@@ -38,27 +48,40 @@ const CLEAR = new Color(0);
 const FAR = 1;
 const NOTHING = 0;
 
+export interface PipelineOptions {
+  /** the most texels lines are found in */
+  readonly lineTexels: number;
+  /** the longest side of a texture of this device, texels */
+  readonly maxSide: number;
+  /** in place of the canvas, whose size then stays as it is */
+  readonly output?: RenderTarget;
+}
+
 export class Pipeline {
   readonly parts: Parts;
+  /** of the last frame, over all passes */
+  drawCalls = 0;
+  triangles = 0;
   readonly #renderer: WebGPURenderer;
+  readonly #options: PipelineOptions;
   readonly #grid = new Grid();
   readonly #lines = new LineUniforms();
   readonly #ink = new InkUniforms();
   readonly #page = new PageUniforms();
+  readonly #selection = new SelectionUniforms();
   readonly #targets = makeTargets();
   readonly #grain: RenderTarget;
   readonly #materials: Materials;
   readonly #quad: QuadMesh;
-  readonly #lineTexels: number;
   readonly #size = new Vector2(1, 1);
   #look: Look = DEFAULT_LOOK;
   #pixelRatio = 1;
 
-  constructor(renderer: WebGPURenderer, lineTexels: number) {
+  constructor(renderer: WebGPURenderer, options: PipelineOptions) {
     this.#renderer = renderer;
-    this.#lineTexels = lineTexels;
+    this.#options = options;
     this.#grain = makeGrain(renderer);
-    const uniforms = { lines: this.#lines, ink: this.#ink, page: this.#page };
+    const uniforms = { lines: this.#lines, ink: this.#ink, page: this.#page, selection: this.#selection };
     this.#materials = new Materials(uniforms, this.#targets, this.#grain.texture);
     this.parts = new Parts(this.#materials, this.#materials.fill('toon'));
     this.#quad = new QuadMesh(this.#materials.occluder);
@@ -71,6 +94,7 @@ export class Pipeline {
     const ink = displayRgb(lineColour(look.background));
     this.#page.paper.value.set(...displayRgb(PAPER_COLOUR[look.background]));
     this.#page.line.value.set(...ink);
+    this.#selection.pencil.value.set(...displayRgb(pencilColour(look.background)));
     this.#page.grain.value = look.grain && look.background === 'paper' ? GRAIN : 0;
     this.#ink.colour.value.set(...ink);
     this.#ink.chalk.value = isDark(look.background) ? 1 : 0;
@@ -86,14 +110,13 @@ export class Pipeline {
   /** CSS pixels, and device pixels a CSS pixel. */
   resize(width: number, height: number, pixelRatio: number): void {
     this.#pixelRatio = pixelRatio;
-    this.#renderer.setPixelRatio(pixelRatio);
-    this.#renderer.setSize(width, height, false);
-    this.#renderer.getDrawingBufferSize(this.#size);
+    this.#resizeOutput(width, height);
     const scale = this.#lineScale();
-    const { lines, edges, colour, preview } = this.#targets;
+    const { lines, edges, colour, preview, selection } = this.#targets;
     const [width2, height2] = [Math.floor(this.#size.x * scale), Math.floor(this.#size.y * scale)];
     for (const target of [lines, edges]) target.setSize(width2, height2);
-    for (const target of [colour, preview]) target.setSize(this.#size.x, this.#size.y);
+    for (const target of [colour, preview, selection]) target.setSize(this.#size.x, this.#size.y);
+    this.#selection.pixel.value.set(pixelRatio / this.#size.x, pixelRatio / this.#size.y);
     this.#page.pixelRatio.value = pixelRatio;
     this.#scaleLines();
   }
@@ -102,15 +125,19 @@ export class Pipeline {
     const { style, grid, wireframe } = this.#look;
     const kernel = this.parts.hasKept ? this.#kernel() : null;
     const fills = style !== 'hbed-lines' || grid || wireframe;
-    const { lines, edges, colour, preview } = this.#targets;
+    const { hasPreview, hasSelected } = this.parts;
+    const { lines, edges, colour, preview, selection } = this.#targets;
     this.#renderer.info.reset();
     this.#measure(camera, view);
     this.#page.lined.value = kernel ? 1 : 0;
     if (kernel) this.#draw(this.parts.lines, camera, lines, NO_NORMAL, FAR);
     if (kernel) this.#cover(this.#materials.edges(kernel), edges);
     if (fills) this.#draw(this.parts.colour, camera, colour, CLEAR, NOTHING);
-    if (this.parts.hasPreview) this.#draw(this.parts.preview, camera, preview, CLEAR, NOTHING);
-    this.#cover(this.#materials.page(kernel !== null, fills, this.parts.hasPreview), null);
+    if (hasPreview) this.#draw(this.parts.preview, camera, preview, CLEAR, NOTHING);
+    if (hasSelected) this.#draw(this.parts.selection, camera, selection, CLEAR, NOTHING);
+    this.#cover(this.#materials.page(kernel !== null, fills, hasPreview, hasSelected), this.#output);
+    this.#renderer.setRenderTarget(null);
+    ({ drawCalls: this.drawCalls, triangles: this.triangles } = this.#renderer.info.render);
   }
 
   dispose(): void {
@@ -119,6 +146,21 @@ export class Pipeline {
     this.#grain.dispose();
     for (const target of Object.values(this.#targets)) target.dispose();
     this.#materials.dispose();
+  }
+
+  get #output(): RenderTarget | null {
+    return this.#options.output ?? null;
+  }
+
+  #resizeOutput(width: number, height: number): void {
+    if (this.#output) {
+      this.#size.set(Math.floor(width * this.#pixelRatio), Math.floor(height * this.#pixelRatio));
+      this.#output.setSize(this.#size.x, this.#size.y);
+    } else {
+      this.#renderer.setPixelRatio(this.#pixelRatio);
+      this.#renderer.setSize(width, height, false);
+      this.#renderer.getDrawingBufferSize(this.#size);
+    }
   }
 
   #draw(scene: ThreeScene, camera: Camera, target: RenderTarget, clear: Color, alpha: number): void {
@@ -155,8 +197,10 @@ export class Pipeline {
 
   /** Texels of the line passes along a device pixel: 1, 1.5 or 2. */
   #lineScale(): number {
-    const affordable = Math.sqrt(this.#lineTexels / (this.#size.x * this.#size.y));
-    const scale = Math.min(2, LINE_DENSITY / this.#pixelRatio, affordable);
+    const { lineTexels, maxSide } = this.#options;
+    const affordable = Math.sqrt(lineTexels / (this.#size.x * this.#size.y));
+    const possible = maxSide / Math.max(this.#size.x, this.#size.y);
+    const scale = Math.min(2, LINE_DENSITY / this.#pixelRatio, affordable, possible);
     return Math.max(1, Math.floor(2 * scale) / 2);
   }
 

@@ -35,7 +35,19 @@ export function makeTargets() {
     // display values, premultiplied: 8 bits are what the screen has
     colour: target('colour', { type: UnsignedByteType, samples: SAMPLES }),
     preview: target('preview', { type: UnsignedByteType, samples: SAMPLES }),
+    selection: target('selection', {
+      type: UnsignedByteType,
+      format: RGFormat,
+      samples: SAMPLES,
+      minFilter: LinearFilter,
+      magFilter: LinearFilter,
+    }),
   };
+}
+
+/** Stands in for the canvas: a picture that is read back and never shown. */
+export function makeOutput(): RenderTarget {
+  return target('picture', { type: UnsignedByteType, format: RGBAFormat, depthBuffer: false });
 }
 
 function target(name: string, options: RenderTargetOptions): RenderTarget {

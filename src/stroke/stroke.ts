@@ -3,6 +3,13 @@ import type { Quat, Vec3 } from '../math/vec.ts';
 
 export type { Plane } from '../math/plane.ts';
 
+/** mm: a kilometre. Nothing is drawn, moved or read from files that lies farther off along an axis. */
+export const FARTHEST = 1e6;
+
+/** Written so that what is not a number is out of reach. */
+export const isInReach = (coordinates: readonly number[]): boolean =>
+  coordinates.every((value) => Math.abs(value) <= FARTHEST);
+
 /** One report of the pen, on the stroke's plane. */
 export interface Sample {
   /** mm along the plane's x axis */

@@ -3,12 +3,14 @@
  * plane through the pivot that faces the camera; one that starts on a surface lies at the depth of that point;
  * all strokes of a form share the plane of its first (thesis ch. 5; the surface under the pen is ours).
  */
+
+import { draftIsWhole } from '../document/build.ts';
 import { joinsDraft } from '../document/command/addStroke.ts';
 import { apply, type Command } from '../document/command/index.ts';
-import type { Document } from '../document/document.ts';
+import { type Document, readingOf } from '../document/document.ts';
 import { length2 } from '../math/tuple.ts';
 import { facingPlane, onPlane, rayAt } from '../stroke/plane.ts';
-import type { Plane, Sample, Stroke, View } from '../stroke/stroke.ts';
+import { isInReach, type Plane, type Sample, type Stroke, type View } from '../stroke/stroke.ts';
 import type { Bench, Pen, State } from './tool.ts';
 import type { Hit } from './viewport.ts';
 
@@ -107,18 +109,27 @@ function strokeOf(drawn: Drawn, { viewport }: Bench): Stroke | null {
   const samples: Sample[] = [];
   for (const pen of pens) {
     const p = onPlane(rayAt(view, viewport.size, pen.x, pen.y), plane);
-    if (!p) continue;
+    if (!p || !isInReach(p)) continue;
     const { pressure, tiltX, tiltY } = pen;
     samples.push({ x: p[0], y: p[1], pressure, tiltX, tiltY, time: pen.time - start });
   }
-  if (samples.length < 2) return null;
+  if (samples.length < 2 || !isInReach(plane.origin)) return null;
   return { samples, plane, view, pointer: pens[0]?.pointer ?? 'mouse', closed: isClosing(drawn) };
 }
 
 /** What a finished stroke does to a document: it joins the unfinished form, or keeps that and begins the next. */
 export function plan(document: Document, stroke: Stroke): readonly Command[] {
   const add: Command = { type: 'addStroke', stroke };
-  return !document.draft || joinsDraft(document, stroke) ? [add] : [{ type: 'keep' }, add];
+  return !document.draft || joinsDraft(document, stroke) ? [add] : [...settled(document), add];
+}
+
+/** The unfinished form is kept, but nothing nobody could see: strokes that enclose nothing stay tubes, dots go. */
+function settled(document: Document): readonly Command[] {
+  const keep: Command = { type: 'keep' };
+  if (draftIsWhole(document)) return [keep];
+  const tubes: Command = { type: 'setTubesOnly', on: true };
+  const rescued = readingOf(document) === 'rotational' && draftIsWhole(apply(document, tubes));
+  return rescued ? [tubes, keep, { type: 'setTubesOnly', on: false }] : [{ type: 'drop' }];
 }
 
 /** A tube from its first 12 px on; a rotational surface once the second stroke is half as long as the first. */

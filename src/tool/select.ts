@@ -1,30 +1,132 @@
-/** Select: a tap takes the part under the pen, a tap on the paper lets go. */
-import type { Pen, State } from './tool.ts';
+/**
+ * Select: a tap takes the part under the pen, a tap on the paper lets go, a drag over the paper takes what its
+ * rectangle takes in, and a drag from a part moves it at once. Shift or Ctrl adds and takes away. The unfinished form
+ * is no part yet: it cannot be selected, and a tap on it changes nothing.
+ */
+import { seenParts } from '../document/extent.ts';
+import { partsIn } from './band.ts';
+import { carry } from './move.ts';
+import type { Bench, Pen, State } from './tool.ts';
+import type { Hit, Viewport } from './viewport.ts';
 
 /** Pixels a tap may move. */
 const STILL = 6;
+/** Pixels around the pen in which a thin part is found, too. */
+const REACH = { touch: 12, pen: 4, mouse: 4 } as const;
+/** ms between the two taps of a double tap */
+const DOUBLE = 400;
 
-export const selecting: State = {
-  name: 'select.idle',
-  down: (pen) => pressed(pen, pen),
-  cancel: () => selecting,
-};
+interface Tap {
+  readonly id: string;
+  readonly time: number;
+}
 
-function pressed(start: Pen, last: Pen): State {
+interface Press {
+  readonly start: Pen;
+  readonly last: Pen;
+  /** null: on the paper */
+  readonly hit: Hit | null;
+  /** the tap before this one */
+  readonly before: Tap | null;
+}
+
+export const selecting: State = waiting(null);
+
+function waiting(before: Tap | null): State {
+  const state: State = {
+    name: 'select.idle',
+    down: (pen, { viewport }) => pressed({ start: pen, last: pen, hit: under(pen, viewport), before }),
+    // Nothing is under way: cancelling it is no deed.
+    cancel: () => state,
+  };
+  return state;
+}
+
+function pressed(press: Press): State {
   return {
     name: 'select.pressed',
-    move: (pens) => pressed(start, pens.at(-1) ?? last),
+    still: true,
+    move(pens, bench) {
+      const last = pens.at(-1) ?? press.last;
+      const { x, y } = press.start;
+      if (Math.max(Math.abs(last.x - x), Math.abs(last.y - y)) <= STILL) return pressed({ ...press, last });
+      return dragged(press, pens, bench);
+    },
+    up: (bench) => tap(press, bench),
+    cancel: () => selecting,
+  };
+}
+
+function dragged({ start, hit }: Press, pens: readonly Pen[], bench: Bench): State | undefined {
+  const id = partOf(hit, bench);
+  if (!hit || id === null) return banding(start, pens.at(-1) ?? start);
+  if (!bench.selection.includes(id)) choose(start.adds ? [...bench.selection, id] : [id], bench);
+  const ids = seenParts(bench.document, bench.selection).map((part) => part.id);
+  return carry('view', ids, hit.point, start, bench, selecting).move?.(pens, bench);
+}
+
+function banding(from: Pen, to: Pen): State {
+  return {
+    name: 'select.banding',
+    still: true,
+    band: { from, to },
+    move: (pens) => banding(from, pens.at(-1) ?? to),
     up(bench) {
-      const moved = Math.max(Math.abs(last.x - start.x), Math.abs(last.y - start.y));
-      if (moved <= STILL) tap(start, bench);
+      const found = partsIn({ from, to }, bench.document, bench.viewport);
+      choose(from.adds ? [...bench.selection, ...found] : found, bench);
       return selecting;
     },
     cancel: () => selecting,
   };
 }
 
-function tap(pen: Pen, bench: Parameters<NonNullable<State['up']>>[0]): void {
-  const hit = bench.viewport.pick(pen.x, pen.y);
-  const part = bench.document.parts.find(({ id }) => id === hit?.id);
-  bench.select(part ? [part.id] : []);
+function tap({ start, hit, before }: Press, bench: Bench): State {
+  const id = partOf(hit, bench);
+  if (id === null) {
+    if (!hit && !start.adds) choose([], bench);
+    return selecting;
+  }
+  if (start.adds) {
+    const { selection } = bench;
+    choose(selection.includes(id) ? selection.filter((other) => other !== id) : [...selection, id], bench);
+    return selecting;
+  }
+  if (before?.id === id && start.time - before.time < DOUBLE) {
+    bench.focus([id]);
+    return selecting;
+  }
+  choose([id], bench);
+  return waiting({ id, time: start.time });
 }
+
+function choose(ids: readonly string[], bench: Bench): void {
+  bench.select(ids);
+  bench.notify('selected');
+}
+
+const partOf = (hit: Hit | null, { document }: Bench): string | null =>
+  document.parts.find(({ id }) => id === hit?.id)?.id ?? null;
+
+/** What is under the pen, or close beside it: thin parts must be found with a finger, too. */
+function under(pen: Pen, viewport: Viewport): Hit | null {
+  const exact = viewport.pick(pen.x, pen.y);
+  if (exact) return exact;
+  const reach = REACH[pen.pointer];
+  for (const [x, y] of AROUND) {
+    const hit = viewport.pick(pen.x + reach * x, pen.y + reach * y);
+    if (hit) return hit;
+  }
+  return null;
+}
+
+const DIAGONAL = Math.SQRT1_2;
+const AROUND = [
+  [1, 0],
+  [0, 1],
+  [-1, 0],
+  [0, -1],
+  [DIAGONAL, DIAGONAL],
+  [-DIAGONAL, DIAGONAL],
+  [-DIAGONAL, -DIAGONAL],
+  [DIAGONAL, -DIAGONAL],
+] as const;

@@ -4,6 +4,7 @@
  */
 import type { Command } from '../document/command/index.ts';
 import type { Document } from '../document/document.ts';
+import type { Placement } from '../math/placement.ts';
 import type { Stroke } from '../stroke/stroke.ts';
 import type { Hit, Viewport } from './viewport.ts';
 
@@ -23,7 +24,7 @@ export interface Pen {
 }
 
 /** What a tool has to tell; the words are the interface's. */
-export type Notice = 'too-short' | 'edge-on';
+export type Notice = 'too-short' | 'edge-on' | 'selected';
 
 /** What a tool sees and may ask for. */
 export interface Bench {
@@ -33,6 +34,8 @@ export interface Bench {
   readonly selection: readonly string[];
   select(ids: readonly string[]): void;
   commit(commands: readonly Command[]): void;
+  /** The camera comes to where these parts fill the picture. */
+  focus(ids: readonly string[]): void;
   notify(notice: Notice): void;
 }
 
@@ -45,10 +48,27 @@ export interface Wet {
   readonly closing: boolean;
 }
 
+/** A rectangle drawn with the pen: opposite corners, CSS pixels. */
+export interface Band {
+  readonly from: Pen;
+  readonly to: Pen;
+}
+
+/** Parts that hang on the pen. */
+export interface Carried {
+  readonly ids: readonly string[];
+  /** where they have come from where they are */
+  readonly by: Placement;
+}
+
 export interface State {
   /** the moment, for tests: `draw.idle`, `draw.drawing` */
   readonly name: string;
   readonly wet?: Wet;
+  readonly band?: Band;
+  readonly carried?: Carried;
+  /** A gesture is under way that a moving camera would tear. */
+  readonly still?: true;
   /** The document as it would be if the pen were lifted now; null: as it is. */
   preview?(bench: Bench): Document | null;
   down?(pen: Pen, bench: Bench): State | undefined;

@@ -4,6 +4,8 @@ import type { View } from '../stroke/stroke.ts';
 /** A point of the model under the pen. */
 export interface Hit {
   readonly point: Vec3;
+  /** of the surface there: unit, outward */
+  readonly normal: Vec3;
   /** of the part or of the unfinished form */
   readonly id: string;
 }
@@ -12,5 +14,6 @@ export interface Hit {
 export interface Viewport {
   readonly size: { readonly width: number; readonly height: number };
   readonly view: View;
-  pick(x: number, y: number): Hit | null;
+  /** What is nearest under the pen; `except` are ids that it looks through. */
+  pick(x: number, y: number, except?: readonly string[]): Hit | null;
 }

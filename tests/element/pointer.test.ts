@@ -15,11 +15,13 @@ class FakeCanvas extends EventTarget {
 let canvas: FakeCanvas;
 let log: string[];
 let fingersDraw: boolean;
+let looking: boolean;
 
 beforeEach(() => {
   canvas = new FakeCanvas();
   log = [];
   fingersDraw = true;
+  looking = false;
   const note = (name: string) => () => void log.push(name);
   const target: PointerTarget = {
     down: note('down'),
@@ -33,6 +35,8 @@ beforeEach(() => {
     focus: note('focus'),
     undo: note('undo'),
     redo: note('redo'),
+    tap: note('tap'),
+    looking: () => looking,
     penSeen: note('pen seen'),
     fingersDraw: () => fingersDraw,
   };

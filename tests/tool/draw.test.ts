@@ -89,7 +89,7 @@ describe('draw', () => {
   });
 
   it('lays a stroke that starts on a surface at the depth of that point', () => {
-    hand.hit = { point: [3, 4, 25], id: 'part-1' };
+    hand.hit = { point: [3, 4, 25], normal: [0, 0, 1], id: 'part-1' };
     hand.draw(LEFT);
     expect(hand.document.draft!.strokes[0]!.plane.origin[2]).toBeCloseTo(25, 9);
   });

@@ -5,7 +5,7 @@ import { commit, type History, newHistory, undo } from '../../src/document/histo
 import type { View } from '../../src/stroke/stroke.ts';
 import { idle } from '../../src/tool/draw.ts';
 import type { Bench, Notice, Pen, State } from '../../src/tool/tool.ts';
-import type { Hit } from '../../src/tool/viewport.ts';
+import type { Hit, Viewport } from '../../src/tool/viewport.ts';
 
 export class Driver implements Bench {
   history: History = newHistory();
@@ -14,6 +14,10 @@ export class Driver implements Bench {
   readonly size = { width: 800, height: 600 };
   readonly notices: Notice[] = [];
   hit: Hit | null = null;
+  /** in place of `hit`: what lies under a place of the picture */
+  surface: Viewport['pick'] | null = null;
+  /** what the camera was brought to */
+  readonly focused: (readonly string[])[] = [];
   selection: readonly string[] = [];
 
   get document(): Document {
@@ -24,8 +28,12 @@ export class Driver implements Bench {
     return this;
   }
 
-  pick(): Hit | null {
-    return this.hit;
+  pick(x: number, y: number, except?: readonly string[]): Hit | null {
+    return this.surface ? this.surface(x, y, except) : this.hit;
+  }
+
+  focus(ids: readonly string[]): void {
+    this.focused.push(ids);
   }
 
   commit(commands: readonly Command[]): void {

@@ -18,7 +18,12 @@ export function joinsDraft(document: Document, stroke: Stroke): boolean {
   const strokes = document.draft?.strokes ?? [];
   const first = strokes[0];
   if (!first || strokes.length > 1 || document.tubesOnly) return false;
-  return first.closed === stroke.closed && samePlane(first.plane, stroke.plane);
+  return belongTogether(first, stroke);
+}
+
+/** May two strokes be sides of one form? */
+export function belongTogether(a: Stroke, b: Stroke): boolean {
+  return a.closed === b.closed && samePlane(a.plane, b.plane);
 }
 
 function samePlane(a: Plane, b: Plane): boolean {

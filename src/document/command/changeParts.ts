@@ -6,12 +6,14 @@ export function changeParts(
   ids: readonly string[],
   change: (part: Part) => Part,
 ): Document {
-  const parts = document.parts.map((part) => (ids.includes(part.id) ? change(part) : part));
+  const chosen = new Set(ids);
+  const parts = document.parts.map((part) => (chosen.has(part.id) ? change(part) : part));
   return parts.some((part, i) => part !== document.parts[i]) ? { ...document, parts } : document;
 }
 
 /** "Stem", or "3 parts". */
 export function nameOf(document: Document, ids: readonly string[]): string {
-  const named = document.parts.filter(({ id }) => ids.includes(id));
+  const chosen = new Set(ids);
+  const named = document.parts.filter(({ id }) => chosen.has(id));
   return named.length === 1 ? named[0]!.name : `${named.length} parts`;
 }

@@ -5,6 +5,7 @@
 import type { Document } from '../document.ts';
 import { addStroke } from './addStroke.ts';
 import { drop } from './drop.ts';
+import { duplicateParts } from './duplicateParts.ts';
 import { keep } from './keep.ts';
 import { load } from './load.ts';
 import { moveParts } from './moveParts.ts';
@@ -39,6 +40,7 @@ const kinds = {
   setPartBrush,
   showParts,
   moveParts,
+  duplicateParts,
   load,
 } as const;
 

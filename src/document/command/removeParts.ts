@@ -5,7 +5,8 @@ import type { CommandKind } from './index.ts';
 export const removeParts: CommandKind<'removeParts', { readonly ids: readonly string[] }> = {
   type: 'removeParts',
   apply(document, { ids }) {
-    const parts = document.parts.filter(({ id }) => !ids.includes(id));
+    const gone = new Set(ids);
+    const parts = document.parts.filter(({ id }) => !gone.has(id));
     return parts.length === document.parts.length ? document : { ...document, parts };
   },
   describe: (document, { ids }) => `${nameOf(document, ids)} deleted`,

@@ -8,9 +8,17 @@ export const LONGEST_NAME = 80;
 export const renamePart: CommandKind<'renamePart', { readonly id: string; readonly name: string }> = {
   type: 'renamePart',
   apply(document, { id, name }) {
-    const trimmed = name.trim().slice(0, LONGEST_NAME);
+    const trimmed = cut(name.trim());
     if (!trimmed) return document;
     return changeParts(document, [id], (part) => (part.name === trimmed ? part : { ...part, name: trimmed }));
   },
   describe: (document, { id }) => `name of ${nameOf(document, [id])}`,
 };
+
+/** No half of a character stays at the end. */
+function cut(name: string): string {
+  return name
+    .slice(0, LONGEST_NAME)
+    .replace(/[\ud800-\udbff]$/, '')
+    .trimEnd();
+}

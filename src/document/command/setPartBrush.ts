@@ -3,7 +3,7 @@ import { changeParts, nameOf } from './changeParts.ts';
 import type { CommandKind } from './index.ts';
 import { brushWords } from './setBrush.ts';
 
-interface Data {
+export interface Data {
   readonly ids: readonly string[];
   readonly change: Partial<Brush>;
 }

@@ -1,7 +1,7 @@
 import { changeParts, nameOf } from './changeParts.ts';
 import type { CommandKind } from './index.ts';
 
-interface Data {
+export interface Data {
   readonly ids: readonly string[];
   readonly visible: boolean;
 }

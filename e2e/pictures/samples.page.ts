@@ -1,0 +1,45 @@
+/** Files as pictures, without the application: a drawing's text in, a PNG's data address out. */
+import { solids } from '../../src/document/build.ts';
+import { parse } from '../../src/document/serialize.ts';
+import { createScene, type Look, type Scene } from '../../src/scene/index.ts';
+import type { View } from '../../src/stroke/stroke.ts';
+
+export interface Wanted {
+  /** what is in the file */
+  readonly text: string;
+  readonly look?: Partial<Look>;
+  readonly view?: Partial<View>;
+  /** CSS pixels */
+  readonly size: readonly [width: number, height: number];
+  readonly pixelRatio: number;
+}
+
+declare global {
+  interface Window {
+    drawFile(wanted: Wanted): Promise<string>;
+  }
+}
+
+const canvas = document.body.appendChild(document.createElement('canvas'));
+let opened: Promise<Scene> | undefined;
+
+/** Lines at twice the resolution on a software adapter too. */
+const FINE_TEXELS = 16e6;
+
+window.drawFile = async ({ text, look, view, size, pixelRatio }) => {
+  opened ??= createScene(canvas, { lineTexels: FINE_TEXELS });
+  const scene = await opened;
+  const drawing = parse(text, 'sample');
+  const [width, height] = size;
+  scene.resize(width, height, pixelRatio);
+  scene.sync(solids(drawing.document).map(({ id, mesh, colour }) => ({ id, mesh, colour, preview: false })));
+  scene.setLook({ ...drawing.look, ...look });
+  scene.rig.setView({ ...drawing.view, ...view }, false);
+  const copy = document.createElement('canvas');
+  copy.width = canvas.width;
+  copy.height = canvas.height;
+  // In the task that drew it the canvas still holds its picture.
+  scene.render();
+  copy.getContext('2d')?.drawImage(canvas, 0, 0);
+  return copy.toDataURL('image/png');
+};

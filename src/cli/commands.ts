@@ -1,0 +1,85 @@
+/**
+ * The commands and their options as data: arguments are read by it, and help is printed from it.
+ */
+import { STYLES } from '../document/look.ts';
+
+export interface Option {
+  readonly name: string;
+  readonly short?: string;
+  /** what stands after it; without, it stands alone */
+  readonly value?: string;
+  readonly help: string;
+}
+
+export interface CommandSpec {
+  readonly name: 'mesh' | 'render' | 'info';
+  readonly synopsis: string;
+  /** one line */
+  readonly summary: string;
+  readonly options: readonly Option[];
+  /** what standard output says */
+  readonly output: string;
+}
+
+const HELP: Option = { name: 'help', short: 'h', help: 'print this help' };
+
+const BACKEND: Option = {
+  name: 'backend',
+  value: 'cpu|gpu',
+  help: 'what computes the meshes of bodies (cpu); gpu does not exist yet',
+};
+
+export const MESH: CommandSpec = {
+  name: 'mesh',
+  synopsis: 'rotund mesh IN -o OUT.{obj,glb,stl,ply}',
+  summary: 'write the solids of a drawing as a mesh',
+  options: [
+    { name: 'output', short: 'o', value: 'FILE', help: 'the file to write; its extension names the format' },
+    {
+      name: 'surface-resolution',
+      value: 'N|UxV',
+      help: 'quads along and around a surface made from strokes, 4 to 1024 each (64x64)',
+    },
+    {
+      name: 'resolution',
+      value: 'N',
+      help: 'cells along the longest side of a body, 8 to 1024 (128); no drawing has bodies yet',
+    },
+    BACKEND,
+    HELP,
+  ],
+  output:
+    '{vertices, triangles, watertight, genus, volume, area, bounds, milliseconds, fieldEvaluations, parts}',
+};
+
+export const RENDER: CommandSpec = {
+  name: 'render',
+  synopsis: 'rotund render IN -o OUT.png',
+  summary: 'the picture that the application shows, through headless Chromium',
+  options: [
+    { name: 'output', short: 'o', value: 'FILE', help: 'the picture to write, a .png' },
+    { name: 'size', value: 'WxH', help: 'pixels, 16 to 8192 each (1024x768)' },
+    {
+      name: 'camera',
+      value: 'VIEW',
+      help: 'front, back, left, right, top, bottom, or yaw,pitch[,roll] in degrees; frames the whole model (the view stored in the drawing)',
+    },
+    { name: 'style', value: 'NAME', help: `${STYLES.join(', ')} (the style stored in the drawing)` },
+    { name: 'mode', value: 'mesh|raycast', help: 'how solids are drawn (mesh); raycast does not exist yet' },
+    HELP,
+  ],
+  output: '{width, height, backend, milliseconds}',
+};
+
+export const INFO: CommandSpec = {
+  name: 'info',
+  synopsis: 'rotund info IN',
+  summary: 'what is in a drawing, as counts',
+  options: [HELP],
+  output: '{parts, strokes, components, groups, skels, warnings}',
+};
+
+export const COMMANDS: readonly CommandSpec[] = [MESH, RENDER, INFO];
+
+/** Named in the design, not there yet. */
+export const FUTURE_COMMANDS: readonly string[] = ['field'];

@@ -1,0 +1,54 @@
+/** The input: a file or standard input, as text, as a drawing. */
+import { readFileSync, statSync } from 'node:fs';
+import type { Drawing } from '../document/drawing.ts';
+import { parse } from '../document/serialize.ts';
+import { fileProblem, Problem } from './problem.ts';
+
+export interface Input {
+  readonly drawing: Drawing;
+  /** what messages call it */
+  readonly name: string;
+}
+
+/** Throws Problem, or FileError for what is in the file. */
+export async function readInput(path: string): Promise<Input> {
+  const name = path === '-' ? 'standard input' : path;
+  const bytes = path === '-' ? await standardInput() : fileBytes(path);
+  return { drawing: parse(textOf(bytes, name), name), name };
+}
+
+/** bytes; a text of twice that is more than the engine takes */
+const MOST = 256e6;
+
+function fileBytes(path: string): Uint8Array {
+  try {
+    const stats = statSync(path);
+    if (stats.isDirectory()) throw new Problem(`${path}: expected a drawing or a script, found a folder`);
+    if (stats.size > MOST) throw tooLarge(path);
+    return readFileSync(path);
+  } catch (error) {
+    throw error instanceof Problem ? error : fileProblem(path, 'read', error);
+  }
+}
+
+async function standardInput(): Promise<Uint8Array> {
+  const chunks: Buffer[] = [];
+  let length = 0;
+  for await (const chunk of process.stdin) {
+    length += chunk.length;
+    if (length > MOST) throw tooLarge('standard input');
+    chunks.push(chunk);
+  }
+  return Buffer.concat(chunks);
+}
+
+const tooLarge = (name: string): Problem =>
+  new Problem(`${name}: expected a drawing of at most ${MOST / 1e6} MB, found more`);
+
+function textOf(bytes: Uint8Array, name: string): string {
+  try {
+    return new TextDecoder('utf-8', { fatal: true }).decode(bytes);
+  } catch {
+    throw new Problem(`${name}: expected text in UTF-8, found other bytes`);
+  }
+}

@@ -1,0 +1,83 @@
+/** `rotund render`: the picture the application shows, drawn by the same element in headless Chromium. */
+import type { Page } from 'playwright-core';
+import type { Drawing } from '../document/drawing.ts';
+import type { Shot } from '../element/shot.ts';
+import { type Args, inputOf } from './args.ts';
+import { firstLine, openPage, withBrowser } from './browser.ts';
+import { camera } from './camera.ts';
+import { RENDER } from './commands.ts';
+import { readInput } from './input.ts';
+import { checkOutput, outputOf, writeOutputs } from './output.ts';
+import { Problem } from './problem.ts';
+import { leftOut } from './report.ts';
+import { result, say } from './say.ts';
+import { checkPicture, mode, size, style } from './values.ts';
+
+export async function render(args: Args): Promise<void> {
+  const started = performance.now();
+  const input = inputOf(RENDER, args);
+  const { values } = args;
+  const out = outputOf(values.output, RENDER.synopsis);
+  checkPicture(out);
+  mode(values.mode);
+  const shot = shotOf(values);
+  checkOutput(out, input);
+  const { drawing } = await readInput(input);
+  for (const warning of leftOut(drawing.document)) say(`rotund: ${warning}`);
+  const { png, backend } = await withBrowser(async (browser) =>
+    drawn(await openPage(browser), drawing, shot),
+  );
+  writeOutputs([{ path: out, bytes: png }]);
+  const milliseconds = Math.round(performance.now() - started);
+  result({ width: shot.width, height: shot.height, backend, milliseconds });
+}
+
+function shotOf(values: Args['values']) {
+  const from = camera(values.camera);
+  const look = style(values.style);
+  return { ...size(values.size), ...(from && { camera: from }), ...(look && { style: look }) };
+}
+
+interface Picture {
+  readonly png: Uint8Array;
+  readonly backend: string;
+}
+
+/** ms a picture may take: large ones take minutes on a software adapter. */
+const PATIENCE = 600_000;
+
+async function drawn(page: Page, drawing: Drawing, shot: Shot): Promise<Picture> {
+  // As one text: a drawing may hold a million numbers, and arguments are taken apart one by one.
+  const order = JSON.stringify({ drawing, shot });
+  let timer: NodeJS.Timeout | undefined;
+  const given = new Promise<never>((_, reject) => {
+    page.on('pageerror', reject);
+    page.on('crash', () => reject(new Error('the page crashed, as it does when memory runs out')));
+    timer = setTimeout(() => reject(new Error('it took longer than ten minutes')), PATIENCE);
+  });
+  try {
+    const { base64, backend } = await Promise.race([page.evaluate(inPage, order), given]);
+    return { png: Buffer.from(base64, 'base64'), backend };
+  } catch (error) {
+    const reason = firstLine(error).replace(/^page\.evaluate: (Error: )?/, '');
+    throw new Problem(`the picture could not be drawn: ${reason}`, 1);
+  } finally {
+    clearTimeout(timer);
+  }
+}
+
+/** Runs in the page. */
+async function inPage(order: string): Promise<{ readonly base64: string; readonly backend: string }> {
+  const { drawing, shot } = JSON.parse(order);
+  await customElements.whenDefined('rotund-sketch');
+  const sketch = document.querySelector('rotund-sketch')!;
+  await sketch.load(drawing, { fit: false });
+  const picture = await sketch.picture(shot);
+  const reader = new FileReader();
+  await new Promise((resolve) => {
+    reader.onload = resolve;
+    reader.readAsDataURL(picture);
+  });
+  const url = reader.result as string;
+  return { base64: url.slice(url.indexOf(',') + 1), backend: sketch.dataset.backend ?? 'none' };
+}

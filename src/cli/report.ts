@@ -1,0 +1,57 @@
+/** What of a drawing is left out, and what is in it. */
+import type { Document, Part } from '../document/document.ts';
+
+export interface Counts {
+  /** kept, hidden ones too */
+  readonly parts: number;
+  /** of all parts and of the unfinished form */
+  readonly strokes: number;
+  readonly components: number;
+  readonly groups: number;
+  readonly skels: number;
+}
+
+export function countsOf({ parts, draft }: Document): Counts {
+  const inParts = parts.reduce((sum, { strokes }) => sum + strokes.length, 0);
+  const strokes = inParts + (draft?.strokes.length ?? 0);
+  // Bodies are what has components, groups and skels.
+  return { parts: parts.length, strokes, components: 0, groups: 0, skels: 0 };
+}
+
+/** What neither meshes nor pictures show. */
+export function leftOut({ parts, draft }: Document): string[] {
+  const warnings: string[] = [];
+  if (draft) {
+    const count = draft.strokes.length;
+    warnings.push(`the unfinished form (${count} ${count === 1 ? 'stroke' : 'strokes'}) is left out`);
+  }
+  const hidden = parts.filter(({ hidden }) => hidden);
+  if (hidden.length > 0) warnings.push(`${counted(hidden, 'hidden part')} left out: ${namesOf(hidden)}`);
+  return warnings;
+}
+
+/** Parts that are shown but have no surface. */
+export function withoutSurface(parts: readonly Part[]): string[] {
+  if (parts.length === 0) return [];
+  return [`${counted(parts, 'part')} left out, because the strokes make no surface: ${namesOf(parts)}`];
+}
+
+/** Why there is nothing at all. */
+export function nothingBecause({ parts, draft }: Document): string {
+  if (parts.length === 0) {
+    return draft ? 'the drawing holds an unfinished form only; keep it first' : 'the drawing has no parts';
+  }
+  if (parts.every(({ hidden }) => hidden)) return 'all parts are hidden';
+  return 'the strokes of its parts make no surface';
+}
+
+const counted = (parts: readonly Part[], what: string): string =>
+  parts.length === 1 ? `1 ${what} is` : `${parts.length} ${what}s are`;
+
+const MOST_NAMES = 5;
+
+function namesOf(parts: readonly Part[]): string {
+  const names = parts.slice(0, MOST_NAMES).map(({ name }) => `“${name}”`);
+  const more = parts.length - names.length;
+  return names.join(', ') + (more > 0 ? ` and ${more} more` : '');
+}

@@ -1,0 +1,100 @@
+/** Values of options: what is written on the command line, checked. */
+import { RESOLUTION, type Resolution } from '../document/build.ts';
+import { STYLES, type Style } from '../document/look.ts';
+import { type Exporter, exporters, type Format } from '../export/index.ts';
+import { Problem } from './problem.ts';
+
+interface Range {
+  readonly least: number;
+  readonly most: number;
+}
+
+const SURFACE: Range = { least: 4, most: 1024 };
+const CELLS: Range = { least: 8, most: 1024 };
+const PIXELS: Range = { least: 16, most: 8192 };
+
+export interface Size {
+  readonly width: number;
+  readonly height: number;
+}
+
+/** `64` or `64x32`. The default is the application's own, by reference: meshes are cached by it. */
+export function surfaceResolution(text: string | undefined): Resolution {
+  if (text === undefined) return RESOLUTION;
+  const [u, v] = pair('--surface-resolution', text, text.includes('x') ? 2 : 1, SURFACE, '64 or 64x64');
+  return u === RESOLUTION.u && v === RESOLUTION.v ? RESOLUTION : { u, v };
+}
+
+/** Cells along a body's longest side; checked although no drawing has bodies yet. */
+export function resolution(text: string | undefined): number {
+  return text === undefined ? 128 : pair('--resolution', text, 1, CELLS, '128')[0];
+}
+
+export function size(text: string | undefined): Size {
+  if (text === undefined) return { width: 1024, height: 768 };
+  const [width, height] = pair('--size', text, 2, PIXELS, '1024x768');
+  return { width, height };
+}
+
+function pair(
+  option: string,
+  text: string,
+  count: 1 | 2,
+  { least, most }: Range,
+  example: string,
+): readonly [number, number] {
+  const words = text.split('x');
+  const numbers = words.map((word) => (/^\d{1,9}$/.test(word) ? Number(word) : Number.NaN));
+  if (words.length !== count || !numbers.every((n) => n >= least && n <= most)) {
+    const what = count === 2 ? 'two whole numbers' : 'a whole number';
+    throw new Problem(
+      `${option}: expected ${what} from ${least} to ${most}, as in ${example}; found '${text}'`,
+    );
+  }
+  return [numbers[0]!, numbers.at(-1)!];
+}
+
+export function style(text: string | undefined): Style | undefined {
+  if (text === undefined) return undefined;
+  const known = STYLES.find((name) => name === text);
+  if (!known) throw new Problem(`--style: expected one of ${STYLES.join(', ')}; found '${text}'`);
+  return known;
+}
+
+/** Refuses by name what the design has and the program does not yet. */
+export function mode(text: string | undefined): void {
+  if (text === 'raycast') throw new Problem('--mode raycast does not exist yet; solids are drawn as a mesh');
+  if (text !== undefined && text !== 'mesh') throw new Problem(`--mode: expected mesh; found '${text}'`);
+}
+
+export function backend(text: string | undefined): void {
+  if (text === 'gpu') throw new Problem('--backend gpu does not exist yet; meshes are computed on the cpu');
+  if (text !== undefined && text !== 'cpu') throw new Problem(`--backend: expected cpu; found '${text}'`);
+}
+
+const FUTURE_FORMATS: readonly string[] = ['3mf'];
+
+/** The exporter for a file's name. */
+export function exporterOf(path: string): Exporter {
+  const extension = extensionOf(path);
+  if (Object.hasOwn(exporters, extension)) return exporters[extension as Format];
+  const known = Object.keys(exporters)
+    .map((id) => `.${id}`)
+    .join(', ');
+  if (FUTURE_FORMATS.includes(extension)) {
+    throw new Problem(`${path}: the format ${extension} does not exist yet; expected ${known}`);
+  }
+  throw new Problem(`${path}: the extension names the format; expected ${known}, found ${found(extension)}`);
+}
+
+export function checkPicture(path: string): void {
+  const extension = extensionOf(path);
+  if (extension === 'png') return;
+  throw new Problem(`${path}: pictures are written as .png, found ${found(extension)}`);
+}
+
+const found = (extension: string): string => (extension ? `.${extension}` : 'none');
+
+function extensionOf(path: string): string {
+  return /[^/\\]\.([^./\\]*)$/.exec(path)?.[1]?.toLowerCase() ?? '';
+}

@@ -1,0 +1,46 @@
+/** What a command in a script may look like: one line a command, and the compiler holds the list to the commands. */
+import * as v from 'valibot';
+import type { Command } from './command/index.ts';
+import { fields, flag, list, text } from './fields.ts';
+import { LIMITS } from './limits.ts';
+import { brushChange, document, name, placement, point, stroke } from './schema.ts';
+
+const ids = list(name, LIMITS.strokes, 'ids');
+
+const kind = <const T extends Command['type'], const E extends v.ObjectEntries>(type: T, data: E) =>
+  fields({ type: v.literal(type, `"${type}"`), ...data });
+
+const kinds = [
+  kind('addStroke', { stroke }),
+  kind('keep', {}),
+  kind('drop', {}),
+  kind('setBrush', { change: brushChange }),
+  kind('setTubesOnly', { on: flag }),
+  kind('removeLast', {}),
+  kind('removeAll', {}),
+  kind('removeParts', { ids }),
+  // the command itself cuts what is too long
+  kind('renamePart', { id: name, name: v.string('a text') }),
+  kind('setPartBrush', { ids, change: brushChange }),
+  kind('showParts', { ids, visible: flag }),
+  kind('moveParts', { ids, by: placement }),
+  kind('duplicateParts', { ids, offset: point }),
+  kind('load', { document, name: v.optional(text(0, LIMITS.drawingName), '') }),
+] as const;
+
+type Read = v.InferOutput<(typeof kinds)[number]>;
+/** A command without a line above is an error here. */
+const types: readonly (Command['type'] extends Read['type'] ? string : never)[] = kinds.map(
+  ({ entries }) => entries.type.literal,
+);
+
+export const command = v.variant('type', kinds, `one of ${types.join(', ')}`) satisfies v.GenericSchema<
+  unknown,
+  Command
+>;
+
+/** Parts that a command names. */
+export function idsOf(command: Command): readonly string[] {
+  if ('ids' in command) return command.ids;
+  return 'id' in command ? [command.id] : [];
+}

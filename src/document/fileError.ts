@@ -1,0 +1,53 @@
+/**
+ * What is wrong with a file, in one sentence: which file, where in it, what was expected and what was found. What was
+ * found is shortened and shown as JSON, so that no line break, control character or page of text gets into a message.
+ */
+
+export class FileError extends Error {
+  override readonly name = 'FileError';
+  /** of the file */
+  readonly file: string;
+  /** e.g. `document.parts[2].brush.radius`, or `line 3, column 14`; '' = the whole file */
+  readonly place: string;
+
+  constructor(
+    file: string,
+    place: string,
+    message: string,
+    sentence = place ? `${file}, ${place}: ${message}` : `${file}: ${message}`,
+  ) {
+    super(sentence);
+    this.file = file;
+    this.place = place;
+  }
+}
+
+/** `document.parts[2].brush` */
+export function placeOf(path: readonly PropertyKey[]): string {
+  const steps = path.map((key) => (typeof key === 'number' ? `[${key}]` : `.${String(key)}`));
+  return steps.join('').replace(/^\./, '');
+}
+
+/** Characters of a found value. */
+const LONGEST_FOUND = 40;
+
+/** A found value in a message. */
+export function shown(value: unknown): string {
+  if (value === undefined) return 'nothing';
+  if (typeof value === 'string') return shortened(JSON.stringify(value.slice(0, LONGEST_FOUND + 1)));
+  if (Array.isArray(value)) return isFewNumbers(value) ? shortened(`[${value.join(', ')}]`) : listOf(value);
+  if (typeof value === 'object' && value !== null) return 'an object';
+  return typeof value === 'function' ? 'a function' : shortened(String(value));
+}
+
+const isFewNumbers = (list: readonly unknown[]): boolean =>
+  list.length > 0 && list.length <= 6 && list.every((value) => typeof value === 'number');
+
+const listOf = ({ length }: readonly unknown[]): string =>
+  length === 0 ? 'an empty list' : `a list of ${length}`;
+
+/** Characters that are seen only, and no more than a line has room for. */
+function shortened(text: string): string {
+  const safe = text.replace(/[\p{C}\p{Zl}\p{Zp}]/gu, (c) => `\\u{${c.codePointAt(0)!.toString(16)}}`);
+  return safe.length > LONGEST_FOUND ? `${safe.slice(0, LONGEST_FOUND)}…` : safe;
+}

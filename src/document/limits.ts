@@ -1,0 +1,57 @@
+/**
+ * What a file may hold. Everything the program itself makes lies well inside; what lies outside is refused at the
+ * border with its place, so that nothing further in has to ask. `docs/format.md` lists the same numbers.
+ */
+import { FARTHEST } from '../stroke/stroke.ts';
+import { LONGEST_NAME } from './command/renamePart.ts';
+
+/** The smallest and the largest value allowed. */
+export interface Range {
+  readonly min: number;
+  readonly max: number;
+}
+
+const around = (max: number): Range => ({ min: -max, max });
+
+export const RANGES = {
+  /** mm: samples, planes, placements */
+  coordinate: around(FARTHEST),
+  /** mm: what is looked at may lie beside what is drawn */
+  pivot: around(1e9),
+  /** mm visible */
+  height: { min: 1e-9, max: 1e9 },
+  /** degrees, beside 0 = orthographic */
+  fov: { min: 1, max: 120 },
+  /** mm */
+  radius: { min: 0.1, max: 200 },
+  levels: { min: 0, max: 6 },
+  pressure: { min: 0, max: 1 },
+  /** degrees */
+  tilt: around(90),
+  /** ms; some pens report a sample before the touch that began the stroke */
+  time: around(1e9),
+  /** of creases and overlaps */
+  threshold: { min: 0, max: 1 },
+  nextId: { min: 1, max: 1e9 },
+  /** a component of a unit vector or a unit quaternion */
+  component: around(1.001),
+} as const satisfies Record<string, Range>;
+
+/** Planes and rotations may be off by this much, so that four digits written by hand are enough. */
+export const UNIT_TOLERANCE = 1e-3;
+
+export const LIMITS = {
+  /** characters of a file */
+  text: 64 * 1024 * 1024,
+  /** lists and objects inside each other; a script that loads a document has 9 */
+  depth: 32,
+  commands: 50_000,
+  /** in a document */
+  strokes: 10_000,
+  /** in a stroke: 7 minutes of a pen that reports 240 times a second */
+  samples: 100_000,
+  /** characters: ids and names of parts */
+  name: LONGEST_NAME,
+  /** characters: names of drawings, as long as a file's may be */
+  drawingName: 255,
+} as const;

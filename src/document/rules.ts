@@ -1,0 +1,104 @@
+/**
+ * What a schema cannot say field by field: that axes are at right angles, that a surface has its number of strokes, that
+ * ids differ. A JSON Schema cannot say it either; `docs/format.md` lists these rules.
+ */
+import * as v from 'valibot';
+import type { Plane } from '../math/plane.ts';
+import { dot3, length3 } from '../math/tuple.ts';
+import type { Quat } from '../math/vec.ts';
+import type { Stroke } from '../stroke/stroke.ts';
+import { surfaces } from '../surface/index.ts';
+import { belongTogether } from './command/addStroke.ts';
+import type { Document, Draft, Part } from './document.ts';
+import { LIMITS, UNIT_TOLERANCE } from './limits.ts';
+import { type Fault, pathTo } from './samples.ts';
+import { WORD } from './words.ts';
+
+/** A rule as a step of a schema; it is asked only where every field is what it should be. */
+function rule<T>(fault: (value: T) => Fault | null) {
+  return v.rawCheck<T>(({ dataset, addIssue }) => {
+    if (!dataset.typed) return;
+    const found = fault(dataset.value);
+    if (!found) return;
+    const { expected, path } = found;
+    addIssue(path.length ? { message: expected, path: pathTo(dataset.value, path) } : { message: expected });
+  });
+}
+
+const isNear = (value: number, wanted: number): boolean => Math.abs(value - wanted) <= UNIT_TOLERANCE;
+
+export const planeRules = <T extends Plane>() =>
+  rule<T>(({ x, y }) => {
+    if (!isNear(length3(x), 1)) return { expected: 'a unit vector', path: ['x'] };
+    const fits = isNear(length3(y), 1) && isNear(dot3(x, y), 0);
+    return fits ? null : { expected: 'a unit vector at right angles to x', path: ['y'] };
+  });
+
+export const rotationRules = <T extends Quat>() =>
+  rule<T>((q) => {
+    const length = Math.sqrt(q.reduce((sum, value) => sum + value * value, 0));
+    return isNear(length, 1) ? null : { expected: 'a unit quaternion, four numbers', path: [] };
+  });
+
+/** Strokes of one form lie on the plane of the first, and are open or closed like it. */
+function strayIn(strokes: readonly Stroke[]): Fault | null {
+  const i = strokes.findIndex((stroke) => !belongTogether(strokes[0]!, stroke));
+  const expected = 'a stroke on the very plane of strokes[0], open or closed like it';
+  return i < 0 ? null : { expected, path: ['strokes', i] };
+}
+
+export const partRules = <T extends Pick<Part, 'kind' | 'strokes'>>() =>
+  rule<T>(({ kind, strokes }) => {
+    const { strokes: count } = surfaces[kind];
+    if (strokes.length === count) return strayIn(strokes);
+    const expected = `${count} stroke${count === 1 ? '' : 's'}, which "${kind}" is made of`;
+    return { expected, path: ['strokes'] };
+  });
+
+const MOST_IN_DRAFT = 2;
+
+export const draftRules = <T extends Draft>() =>
+  rule<T>(({ strokes }) => {
+    if (strokes.length >= 1 && strokes.length <= MOST_IN_DRAFT) return strayIn(strokes);
+    return { expected: `1 to ${MOST_IN_DRAFT} strokes, else null for the whole draft`, path: ['strokes'] };
+  });
+
+/** A document whose parts may lack what can be worked out. */
+export type Incomplete = Omit<Document, 'parts' | 'nextId'> & {
+  readonly parts: readonly (Omit<Part, 'id' | 'name'> & {
+    id?: string | undefined;
+    name?: string | undefined;
+  })[];
+  readonly nextId?: number | undefined;
+};
+
+/** Ids, names and the next number, where they were left out. */
+export function completed(document: Incomplete): Document {
+  const parts = document.parts.map((part, i): Part => {
+    const { id = `part-${i + 1}`, name = `${WORD[part.kind]} ${i + 1}` } = part;
+    return { ...part, id, name };
+  });
+  return { ...document, parts, nextId: document.nextId ?? 1 + highestNumber(parts) };
+}
+
+/** Of ids as the program gives them, `part-7`. */
+function highestNumber(parts: readonly Part[]): number {
+  return parts.reduce((most, { id }) => Math.max(most, Number(/^part-(\d+)$/.exec(id)?.[1] ?? 0)), 0);
+}
+
+export const strokeCount = ({ parts, draft }: Document): number =>
+  parts.reduce((sum, { strokes }) => sum + strokes.length, draft?.strokes.length ?? 0);
+
+export const documentRules = <T extends Document>() =>
+  rule<T>((document) => {
+    const { parts, nextId } = document;
+    if (strokeCount(document) > LIMITS.strokes) {
+      return { expected: `at most ${LIMITS.strokes} strokes in all`, path: ['parts'] };
+    }
+    const seen = new Set<string>();
+    const twin = parts.findIndex(({ id }) => seen.size === seen.add(id).size);
+    if (twin >= 0) return { expected: 'an id that no other part has', path: ['parts', twin, 'id'] };
+    const highest = highestNumber(parts);
+    if (nextId > highest) return null;
+    return { expected: `a whole number above ${highest}, which is in use`, path: ['nextId'] };
+  });

@@ -1,0 +1,389 @@
+/**
+ * What a page can say to the element and hear from it: attributes, properties, methods, events. It knows the session
+ * and the scene, but neither controls nor pointers; those are of `rotundSketch.ts`, which goes on from here.
+ */
+import { LitElement, type PropertyDeclarations, type PropertyValues } from 'lit';
+import type { Command } from '../document/command/index.ts';
+import type { Document } from '../document/document.ts';
+import type { Drawing } from '../document/drawing.ts';
+import { redoable, undoable } from '../document/history.ts';
+import { STYLES, type Style } from '../document/look.ts';
+import { checkDrawing, FileError, parse, serialize, serializeScript } from '../document/serialize.ts';
+import type { Format, OutFile } from '../export/index.ts';
+import type { Scene } from '../scene/index.ts';
+import type { Stroke } from '../stroke/stroke.ts';
+import { Arrival } from './arrival.ts';
+import { checkedCommands, checkedIds } from './check.ts';
+import { changed, failed, messageOf, type RotundSketchEventMap, selected } from './events.ts';
+import type { Hooks, Notice, Session } from './session.ts';
+import { pictureOptions, pngOf, type Shot } from './shot.ts';
+import { named, Source } from './source.ts';
+import { type StrokeInput, strokeOf } from './strokeInput.ts';
+import type { Theme } from './theme.ts';
+import { WORDS } from './words.ts';
+
+export interface LoadOptions {
+  /** what messages call it, and the drawing’s name where it has none of its own */
+  readonly name?: string;
+  /** all of it is shown; false: as it was looked at when it was saved */
+  readonly fit?: boolean;
+}
+
+/**
+ * The manifest and the tables of docs/element.md are made from these words.
+ *
+ * @fires {Event} ready - The first picture is there, with what the page declared. Once a scene: again after the element was put elsewhere, and after a lost device.
+ * @fires {CustomEvent<ChangeDetail>} change - The document is another one. `detail`: `commands`, `cause` (`command`, `undo` or `redo`; the last two carry no commands) and `document`.
+ * @fires {CustomEvent<SelectDetail>} select - Other parts are selected. `detail.ids`: which.
+ * @fires {CustomEvent<ErrorDetail>} error - What the page declared cannot be done, or there is no picture. `detail`: `error` and `message`. `preventDefault()` says that the page tells the person itself.
+ *
+ * @slot poster - Seen until the first picture is there.
+ * @slot fallback - Seen where neither WebGPU nor WebGL2 works.
+ * @slot toolbar - Buttons of the page, before undo and redo.
+ *
+ * @csspart stage - The picture with the ink over it; it has the focus ring.
+ * @csspart picture - The canvas of the picture.
+ * @csspart toolbar - The row at the top.
+ * @csspart tray - A group of buttons in that row.
+ * @csspart tools - The tools at the left, at the bottom of a narrow element.
+ * @csspart meter - What the number of strokes decides.
+ * @csspart chip - Keep or drop, at the unfinished form.
+ * @csspart status - What was done last, and which back end draws.
+ * @csspart view-ball - The ball that turns the view.
+ * @csspart notice - A message over the picture.
+ * @csspart panel - A panel that opens: settings, colours, menu.
+ *
+ * @cssprop --surface - Background of the controls.
+ * @cssprop --sunken - Background of quiet buttons, and under the pointer.
+ * @cssprop --hairline - Lines between and around controls.
+ * @cssprop --edge - Outline of what is chosen.
+ * @cssprop --ink - Text and icons.
+ * @cssprop --ink-2 - Text beside it.
+ * @cssprop --pencil - The accent: focus, selection, the main button.
+ * @cssprop --pencil-soft - Background of what is open or current.
+ * @cssprop --on-pencil - Text on the accent.
+ * @cssprop --active - Background of the tool in hand.
+ * @cssprop --on-active - Its icon.
+ * @cssprop --paper - Background until there is a picture; the paper of the picture is part of the drawing.
+ * @cssprop --font - The typeface.
+ */
+export abstract class SketchApi extends LitElement {
+  /** @internal */
+  static override properties: PropertyDeclarations = {
+    src: { reflect: true },
+    alt: { reflect: true },
+    renderStyle: { attribute: 'render-style', reflect: true },
+    readOnly: { type: Boolean, attribute: 'readonly', reflect: true },
+    controls: { reflect: true, useDefault: true },
+    theme: { reflect: true },
+    backend: { reflect: true, useDefault: true },
+    quality: { reflect: true, useDefault: true },
+    // What was set before the class was there is taken over at the first update.
+    drawing: { attribute: false, noAccessor: true },
+    pictured: { state: true },
+  };
+
+  /**
+   * Address of a drawing or script. A drawing that is open stays when the new one cannot be read. The first one is what
+   * the page begins with; a later one is a step that undo takes back.
+   */
+  declare src: string | null;
+  /** what the picture shows, for those who hear the page */
+  declare alt: string | null;
+  /**
+   * `toon`, `gouraud`, `phong`, `hbed-lines` or `hbed-ink`; wins over the style stored in a drawing, and follows what a
+   * person chooses.
+   */
+  declare renderStyle: Style | null;
+  /** Looking only: one finger, the left button or the pen turns the view, a tap selects; methods still change the drawing. */
+  declare readOnly: boolean;
+  /** `none` shows the picture alone */
+  declare controls: 'all' | 'none';
+  /** `light`, `dark` or `contrast`; without it the system’s setting */
+  declare theme: Theme | null;
+  /** `webgl2` never asks for WebGPU */
+  declare backend: 'auto' | 'webgl2';
+  /** `fine` finds lines at twice the resolution on software adapters too: for pictures, where time is no matter */
+  declare quality: 'auto' | 'fine';
+
+  /**
+   * a picture was there: no poster is needed any more
+   * @internal
+   */
+  declare protected pictured: boolean;
+
+  /** @internal */
+  abstract readonly session: Session;
+  /**
+   * the scene there is; asked for while there is none, the one that comes
+   * @internal
+   */
+  protected readonly scene = new Arrival<Scene>();
+  readonly #source = new Source({
+    opened: (drawing) => this.#begin(drawing),
+    failed: (error) => this.#sourceFailed(error),
+  });
+  /** the style last taken from the attribute or given to it */
+  #style: Style | null = null;
+  #readyDue = false;
+  /** that `src` could not be opened */
+  #notice: Notice | null = null;
+
+  constructor() {
+    super();
+    this.src = null;
+    this.alt = null;
+    this.renderStyle = null;
+    this.readOnly = false;
+    this.controls = 'all';
+    this.theme = null;
+    this.backend = 'auto';
+    this.quality = 'auto';
+    this.pictured = false;
+  }
+
+  // ── what is drawn ───────────────────────────────────────────────────────────────────────────────────
+
+  /** The document: plain immutable data. */
+  get document(): Document {
+    return this.session.document;
+  }
+
+  /** The document with its name, view and look, as a file holds it. Setting it opens another one. */
+  get drawing(): Drawing {
+    return this.session.drawing;
+  }
+
+  set drawing(value: Drawing) {
+    try {
+      this.#begin(checkDrawing(value));
+    } catch (error) {
+      this.fail(error);
+    }
+  }
+
+  /** Ids of the selected parts. */
+  get selection(): readonly string[] {
+    return this.session.selection;
+  }
+
+  /** There is a step to take back. */
+  get canUndo(): boolean {
+    return undoable(this.session.history) !== null;
+  }
+
+  /** There is a step to do again. */
+  get canRedo(): boolean {
+    return redoable(this.session.history) !== null;
+  }
+
+  /**
+   * Opens the text of a `.rotund` file or of a script, a file that holds it, or a drawing, as one undo step. Rejects with
+   * a FileError that names the place; the open drawing stays then.
+   */
+  async load(source: string | Blob | Drawing, { name, fit = true }: LoadOptions = {}): Promise<void> {
+    const drawing = await read(source, name);
+    this.#source.close();
+    this.session.open(this.#styled(drawing), { fit });
+  }
+
+  /** The text of a `.rotund` file. */
+  save(): string {
+    return serialize(this.session.drawing);
+  }
+
+  /** The text of a script: the commands that lead from an empty page to this drawing. */
+  script(): string {
+    return serializeScript(this.session.script, this.session.drawing);
+  }
+
+  /**
+   * The kept, visible parts as files for other programs: `obj`, `glb`, `stl` or `ply`. The first file is the one asked
+   * for, others lie beside it.
+   */
+  async export(format: Format): Promise<readonly OutFile[]> {
+    const { exporters, modelOf } = await import('../export/index.ts');
+    if (!Object.hasOwn(exporters, format)) {
+      const known = Object.keys(exporters).join(', ');
+      throw new FileError('export', '', `expected one of ${known}, found ${JSON.stringify(format)}`);
+    }
+    return exporters[format].write(modelOf(this.document, this.session.name));
+  }
+
+  // ── what is done ────────────────────────────────────────────────────────────────────────────────────
+
+  /** Takes the last step back; a stroke under the pen first. */
+  undo(): void {
+    this.session.undo();
+  }
+
+  /** Does again what undo took back. */
+  redo(): void {
+    this.session.redo();
+  }
+
+  /** Carries out commands, each as one undo step; throws a FileError, and does nothing, when one of them is none. */
+  run(commands: Command | readonly Command[]): void {
+    const checked = checkedCommands(commands, this.document);
+    this.session.cancel();
+    this.session.commit(checked);
+  }
+
+  /** One more stroke of the unfinished form: whole, or as points in mm on the plane that faces the front. */
+  addStroke(stroke: Stroke | StrokeInput): void {
+    this.run({ type: 'addStroke', stroke: strokeOf(stroke, this.document) as Stroke });
+  }
+
+  /** Selects these parts and no others; ids that no part has are left out. */
+  select(ids: readonly string[]): void {
+    this.session.select(checkedIds(ids));
+  }
+
+  /** A PNG of exactly this size, of the kept parts, nothing selected; waits for `src` and for the scene. */
+  async picture(shot: Shot = {}): Promise<Blob> {
+    await this.updateComplete;
+    while (this.#source.busy) await this.#source.settled;
+    if (!this.isConnected)
+      throw new Error('rotund-sketch: there is a picture only of an element that is on a page.');
+    const scene = await this.scene.get();
+    const { document, view, look, toFit } = this.session;
+    const width = Math.round(this.clientWidth * devicePixelRatio);
+    const height = Math.round(this.clientHeight * devicePixelRatio);
+    return pngOf(
+      await scene.picture(pictureOptions(shot, { document, view, look, width, height, fit: toFit })),
+    );
+  }
+
+  // ── events ──────────────────────────────────────────────────────────────────────────────────────────
+
+  override addEventListener<K extends keyof RotundSketchEventMap>(
+    type: K,
+    listener: (this: this, event: RotundSketchEventMap[K]) => unknown,
+    options?: boolean | AddEventListenerOptions,
+  ): void;
+  override addEventListener(
+    type: string,
+    listener: EventListenerOrEventListenerObject,
+    options?: boolean | AddEventListenerOptions,
+  ): void;
+  override addEventListener(
+    type: string,
+    listener: EventListenerOrEventListenerObject,
+    options?: boolean | AddEventListenerOptions,
+  ): void {
+    super.addEventListener(type, listener, options);
+  }
+
+  // ── for the element itself ──────────────────────────────────────────────────────────────────────────
+
+  /** @internal */
+  protected readonly hooks: Pick<Hooks, 'committed' | 'selected'> = {
+    committed: (commands, cause) =>
+      void this.dispatchEvent(changed({ commands, cause, document: this.document })),
+    selected: (ids) => void this.dispatchEvent(selected(ids)),
+  };
+
+  /**
+   * Says what went wrong; true when the page leaves telling the person to the element.
+   * @internal
+   */
+  protected fail(error: unknown): boolean {
+    return this.dispatchEvent(failed(error));
+  }
+
+  /**
+   * Once a scene: when the first picture with all that the page declared is there, or would be if it were seen.
+   * @internal
+   */
+  protected sayReady(): void {
+    if (!this.#readyDue || !this.session.scene || this.#source.busy) return;
+    this.#readyDue = false;
+    this.pictured = true;
+    this.dispatchEvent(new Event('ready'));
+  }
+
+  /** @internal */
+  protected sceneCame(scene: Scene): void {
+    this.#readyDue = true;
+    this.scene.come(scene);
+    this.#announce();
+  }
+
+  /** The next frame says that it is ready; where nobody looks there is none. */
+  #announce(): void {
+    if (this.session.asleep) this.sayReady();
+    else this.session.wake();
+  }
+
+  /** @internal */
+  override connectedCallback(): void {
+    super.connectedCallback();
+    this.#source.resume();
+  }
+
+  /** @internal */
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    this.#source.close();
+    this.scene.fail(new Error('rotund-sketch: it left the page.'));
+  }
+
+  /** @internal */
+  protected override willUpdate(changes: PropertyValues): void {
+    if (changes.has('renderStyle')) this.#takeStyle();
+    if (changes.has('readOnly') && this.readOnly) this.session.cancel();
+    const { style } = this.session.look;
+    if (this.#style && style !== this.#style) {
+      this.#style = style;
+      this.renderStyle = style;
+    }
+  }
+
+  /** @internal */
+  protected override updated(changes: PropertyValues): void {
+    if (changes.has('src')) this.#source.open(this.src, this.isConnected);
+  }
+
+  #takeStyle(): void {
+    const wanted = this.renderStyle;
+    this.#style = known(wanted);
+    if (this.#style) this.session.setLook({ style: this.#style });
+    else if (wanted !== null) {
+      const expected = `expected one of ${STYLES.join(', ')}, found ${JSON.stringify(wanted)}`;
+      this.fail(new FileError('rotund-sketch', 'render-style', expected));
+    }
+  }
+
+  /** What the page declares: its first drawing is no deed that undo could take back. */
+  #begin(drawing: Drawing): void {
+    const { past, future } = this.session.history;
+    const fresh = past.length + future.length === 0 && !this.session.state.wet;
+    this.session.open(this.#styled(drawing), { fresh });
+    if (this.session.notice === this.#notice) this.session.notice = null;
+    this.#announce();
+  }
+
+  #styled(drawing: Drawing): Drawing {
+    const style = known(this.renderStyle);
+    return style ? { ...drawing, look: { ...drawing.look, style } } : drawing;
+  }
+
+  #sourceFailed(error: unknown): void {
+    if (this.fail(error)) {
+      const again = () => this.#source.open(this.src, this.isConnected);
+      this.#notice = { text: messageOf(error), actions: [{ label: WORDS.tryAgain, run: again }] };
+      this.session.notice = this.#notice;
+      this.session.update();
+    }
+    this.#announce();
+  }
+}
+
+const known = (style: string | null): Style | null => STYLES.find((name) => name === style) ?? null;
+
+async function read(source: unknown, name?: string): Promise<Drawing> {
+  if (typeof source !== 'string' && !(source instanceof Blob)) return checkDrawing(source);
+  const file = source instanceof File ? source.name : name;
+  const drawing = parse(typeof source === 'string' ? source : await source.text(), file ?? 'drawing');
+  return file ? named(drawing, file) : drawing;
+}

@@ -1,0 +1,52 @@
+/** The colours to choose from, as lit spheres, and one of one's own. */
+import { html, type TemplateResult } from 'lit';
+import { live } from 'lit/directives/live.js';
+import { roving } from './controls.ts';
+import { ball } from './icons.ts';
+
+/** An illustrator's box: warm to cold, then earth, flesh and greys. */
+const COLOURS: readonly (readonly [name: string, colour: string])[] = [
+  ['Pear', '#d9cb4a'],
+  ['Orange', '#e2893a'],
+  ['Red', '#c8402f'],
+  ['Rose', '#e08c98'],
+  ['Violet', '#8a64ac'],
+  ['Blue', '#4a7ab8'],
+  ['Teal', '#3f9690'],
+  ['Leaf', '#5f9e46'],
+  ['Fir', '#3b6b3f'],
+  ['Bark', '#7d5238'],
+  ['Wood', '#b98a5a'],
+  ['Sand', '#dcc397'],
+  ['Skin', '#e8bd9e'],
+  ['Sky', '#9cc4de'],
+  ['Cream', '#f3ead6'],
+  ['Stone', '#a5a29a'],
+  ['Slate', '#5a6270'],
+  ['Coal', '#3a3a3e'],
+];
+
+/** "Leaf", or "Own" when it is none of the box. */
+export const colourName = (colour: string): string =>
+  COLOURS.find(([, value]) => value === colour)?.[0] ?? 'Own';
+
+/** `chosen` is null where several colours are in use; `first` is what the own colour starts from. */
+export function spheres(
+  label: string,
+  chosen: string | null,
+  first: string,
+  set: (colour: string) => void,
+): TemplateResult {
+  const known = COLOURS.some(([, value]) => value === chosen);
+  const own = (event: Event) => set((event.target as HTMLInputElement).value);
+  return html`<div class="spheres" role="radiogroup" aria-label=${label} @keydown=${roving}>
+      ${COLOURS.map(
+        ([name, value], i) =>
+          html`<button role="radio" aria-label=${name} title=${name} aria-checked=${value === chosen} tabindex=${value === chosen || (!known && i === 0) ? 0 : -1}
+            @click=${() => set(value)}>${ball('toon', value)}</button>`,
+      )}
+    </div>
+    <label class="row">Own colour
+      <input type="color" .value=${live(first)} aria-label="Own colour" @change=${own} />
+    </label>`;
+}

@@ -1,0 +1,99 @@
+/** What can be set of the selected parts: name, colour, radius. What is set of several is set of all. */
+import { html, nothing, type TemplateResult } from 'lit';
+import { live } from 'lit/directives/live.js';
+import { solidOf } from '../document/build.ts';
+import { LONGEST_NAME } from '../document/command/renamePart.ts';
+import { type Part, RADIUS_RANGE } from '../document/document.ts';
+import { colourName, spheres } from './colours.ts';
+import { radiusToSlider, sliderToRadius } from './controls.ts';
+import type { Session } from './session.ts';
+import { PART_WORDS, SURFACE } from './words.ts';
+
+/** As shown: with what a control that is being dragged does. */
+export function chosenParts(session: Session): Part[] {
+  if (session.selection.length === 0) return [];
+  return session.shown().parts.filter(({ id }) => session.selection.includes(id));
+}
+
+export const partsName = (parts: readonly Part[]): string =>
+  parts.length === 1 ? parts[0]!.name : PART_WORDS.several(parts.length);
+
+export function partCard(session: Session): TemplateResult {
+  const parts = chosenParts(session);
+  const only = parts.length === 1 ? parts[0]! : null;
+  if (parts.length === 0) return html`<section><p class="quiet-words">${PART_WORDS.choose}</p></section>`;
+  return html`<section class="card-of-part">
+    ${only ? nameField(session, only) : html`<h3>${partsName(parts)}</h3>`}
+    <h3>${PART_WORDS.colour} <output>${colourWords(parts)}</output></h3>
+    ${partColours(session)} ${parts.every(({ kind }) => kind === 'tube') ? radius(session, parts) : nothing}
+    ${only ? html`<p class="quiet-words">${facts(only)}</p>` : nothing}
+  </section>`;
+}
+
+const sameColour = (parts: readonly Part[]): string | null => {
+  const colour = parts[0]?.brush.colour ?? null;
+  return parts.every(({ brush }) => brush.colour === colour) ? colour : null;
+};
+
+function colourWords(parts: readonly Part[]): string {
+  const colour = sameColour(parts);
+  return colour === null ? PART_WORDS.mixed : colourName(colour);
+}
+
+/** For the panel, and for the palette while parts are selected. */
+export function partColours(session: Session): TemplateResult {
+  const parts = chosenParts(session);
+  const set = (colour: string) =>
+    session.run({ type: 'setPartBrush', ids: session.selection, change: { colour } });
+  const first = parts[0]?.brush.colour ?? '#000000';
+  return spheres(PART_WORDS.colourOf(partsName(parts)), sameColour(parts), first, set);
+}
+
+/** Enter or leaving the field renames, Escape brings the old name back. */
+function nameField(session: Session, { id, name }: Part): TemplateResult {
+  const rename = (event: Event) => {
+    const field = event.target as HTMLInputElement;
+    const wanted = field.value.trim();
+    if (wanted && wanted !== name) session.run({ type: 'renamePart', id, name: wanted });
+    else field.value = name;
+  };
+  const key = (event: KeyboardEvent) => {
+    const field = event.target as HTMLInputElement;
+    if (event.key !== 'Enter' && event.key !== 'Escape') return;
+    event.stopPropagation();
+    if (event.key === 'Escape') field.value = name;
+    const row = field.closest('.panel')?.querySelector<HTMLElement>('[role=row][tabindex="0"]');
+    // The field lets go, and the keys stay in the panel.
+    if (row) row.focus({ preventScroll: true });
+    else field.blur();
+  };
+  return html`<label class="name-field"><span>${PART_WORDS.name}</span>
+    <input type="text" maxlength=${LONGEST_NAME} autocomplete="off" spellcheck="false" enterkeyhint="done"
+      .value=${live(name)} @change=${rename} @keydown=${key} /></label>`;
+}
+
+function radius(session: Session, parts: readonly Part[]): TemplateResult {
+  const mm = parts[0]!.brush.radius;
+  const same = parts.every(({ brush }) => brush.radius === mm);
+  const position = radiusToSlider(mm);
+  const moved = (done: boolean) => (event: Event) => {
+    const value = sliderToRadius(Number((event.target as HTMLInputElement).value));
+    session.tune({ type: 'setPartBrush', ids: session.selection, change: { radius: value } }, done);
+  };
+  return html`<h3>${PART_WORDS.radius} <output>${same ? `${mm} mm` : PART_WORDS.mixed}</output></h3>
+    <div class="slide">
+      <input type="range" min="0" max="100" step="1" aria-label="Radius of ${partsName(parts)}"
+        aria-valuetext="${mm} mm, from ${RADIUS_RANGE.min} to ${RADIUS_RANGE.max}" style="--fill: ${position}%"
+        .value=${live(String(position))} @input=${moved(false)} @change=${moved(true)}
+        @pointerdown=${() => session.holdRadius()} @blur=${() => session.holdRadius()} />
+    </div>`;
+}
+
+function facts(part: Part): string {
+  const triangles = (solidOf(part)?.mesh.indices.length ?? 0) / 3;
+  return [
+    SURFACE[part.kind].long,
+    PART_WORDS.strokes(part.strokes.length),
+    PART_WORDS.triangles(triangles),
+  ].join(' · ');
+}

@@ -1,0 +1,87 @@
+/** Parts in the hand: their list, their handles, and what can be done with them. */
+import { css } from 'lit';
+
+export const partsLayout = css`
+  .stage.selecting { cursor: default; }
+  .count { font: 600 0.75rem/1.125rem var(--font); background: var(--sunken); color: var(--ink); border-radius: 0.5625rem; padding: 0 0.375rem; min-width: 1.125rem; text-align: center; }
+  .b.parts-button { padding: 0 0.625rem; gap: 0.375rem; }
+  .b.parts-button[aria-expanded='true'] .count { background: var(--surface); }
+
+  /* handles: the buttons are 44 px, what one sees of them is less */
+  .gizmo { position: absolute; left: 0; top: 0; width: 0; height: 0; }
+  .gizmo > svg { position: absolute; left: 0; top: 0; width: 1px; height: 1px; overflow: visible; pointer-events: none; }
+  .gizmo > svg path { fill: none; stroke-linecap: round; }
+  .gizmo .halo { stroke: var(--surface); stroke-width: 7; }
+  .gizmo .shaft { stroke: currentColor; stroke-width: 3; }
+  .gizmo .shaft.surface { stroke: var(--edge); stroke-width: 2; stroke-dasharray: 1 6; }
+  .gizmo .halo:has(+ .surface) { stroke: none; }
+  .gizmo .x { color: var(--axis-x); }
+  .gizmo .y { color: var(--axis-y); }
+  .gizmo .z { color: var(--axis-z); }
+  .handle { position: absolute; width: 2.875rem; height: 2.875rem; margin: -1.4375rem; display: grid; place-items: center; touch-action: none; cursor: grab; border-radius: 50%; }
+  .handle:active { cursor: grabbing; }
+  .handle[hidden] { display: none; }
+  .handle > span { width: 2.375rem; height: 2.375rem; border-radius: 50%; display: grid; place-items: center; border: 3px solid var(--surface); box-shadow: var(--e2); background: currentColor; font: 700 1rem/1 var(--font); }
+  .handle:is(.x, .y, .z) > span { -webkit-text-fill-color: var(--surface); }
+  .handle.view { border-radius: 0.875rem; }
+  .handle.view > span { width: 2.875rem; height: 2.875rem; border-radius: 0.875rem; background: var(--axis-view); color: var(--on-axis-view); }
+  .handle.surface > span { width: 2.75rem; height: 2.75rem; background: var(--surface); color: var(--ink); border: 2px solid var(--edge); }
+  .handle:hover > span { filter: brightness(1.08); }
+
+  /* actions */
+  .acts { position: absolute; left: 50%; bottom: var(--gap); transform: translateX(-50%); display: flex; align-items: center; padding: 0.3125rem; gap: 0.125rem; border-radius: 1.25rem; }
+  .acts .b { flex-direction: column; gap: 0.125rem; height: 3.75rem; min-width: 4.5rem; border-radius: 0.875rem; font-size: 0.75rem; line-height: 1rem; }
+  .acts .b > .name { display: block; }
+  .acts .tip { display: none; }
+  .acts ~ .status { max-width: calc(50cqw - 14.5rem); }
+  .acts.docked ~ .status > span + span { display: none; }
+  .acts .swatch, .acts .swatch .ball { width: 1.5rem; height: 1.5rem; }
+
+  /* list and card */
+  .panel.parts { display: flex; flex-direction: column; }
+  .part-list { overflow-y: auto; overscroll-behavior: contain; min-height: 3rem; flex: 0 1 auto; max-height: 19.5rem; }
+  .part { display: flex; align-items: center; min-height: 3rem; border-radius: 0.75rem; padding-left: 0.5rem; cursor: pointer; content-visibility: auto; contain-intrinsic-size: auto 3rem; }
+  .part:hover { background: var(--sunken); }
+  .part:focus-visible { outline-offset: -3px; }
+  .part .what { flex: 1; min-width: 0; display: flex; align-items: center; gap: 0.625rem; }
+  .part .what > span { min-width: 0; }
+  .part b, .part small { display: block; overflow: hidden; text-overflow: ellipsis; white-space: nowrap; }
+  .part b { font-weight: 600; line-height: 1.1875rem; }
+  .part small { font-size: 0.75rem; line-height: 1rem; color: var(--ink-2); }
+  .part .icon { color: var(--ink-2); }
+  .part .b { color: var(--ink-2); }
+  .part.unseen b { color: var(--ink-2); font-weight: 500; }
+  .part.unseen .what .icon { opacity: 0.55; }
+  .part[aria-selected='true'] { background: var(--pencil-soft); }
+  .part[aria-selected='true'] :is(b, .what .icon) { color: var(--pencil); }
+  .quiet-words { padding: 0.5rem; color: var(--ink-2); font-size: 0.8125rem; line-height: 1.125rem; }
+  .name-field { display: flex; align-items: center; gap: 0.75rem; padding: 0 0.5rem; font: 600 0.8125rem/1.125rem var(--font); color: var(--ink-2); }
+  .name-field input { flex: 1; min-width: 0; height: 2.75rem; padding: 0 0.75rem; border: 1.5px solid var(--edge); border-radius: 0.75rem; background: var(--surface); color: var(--ink); font: 600 0.9375rem/1.3125rem var(--font); user-select: text; -webkit-user-select: text; }
+
+  .chip .what.problem { display: flex; gap: 0.5rem; align-items: center; }
+  .chip .problem .icon { color: var(--warn); }
+
+  @container (min-width: 1100px) {
+    .acts.docked { left: calc(50% - 10.5rem); }
+    .acts.docked ~ .status { max-width: calc(50cqw - 25rem); }
+  }
+  @container (max-width: 699px) {
+    .acts { left: 0.5rem; right: 0.5rem; transform: none; bottom: calc(5.25rem + env(safe-area-inset-bottom, 0px)); justify-content: space-between; }
+    .acts .b { min-width: 2.75rem; flex: 1; }
+    .acts .separator { display: none; }
+    .acts ~ .status { max-width: 60%; bottom: calc(10rem + env(safe-area-inset-bottom, 0px)); }
+    .acts ~ .view { bottom: calc(10rem + env(safe-area-inset-bottom, 0px)); }
+    .panel.parts { max-height: 50%; overflow-y: auto; }
+    .part-list { max-height: none; flex: none; overflow: visible; }
+    .b.parts-button { padding: 0 0.25rem; }
+  }
+  @container (max-width: 400px) {
+    .rail .caption { display: none; }
+    .rail .b, .rail.named .b { min-width: 2.75rem; }
+  }
+  :host([data-theme='contrast']) :is(.part[aria-selected='true']) { box-shadow: inset 0 0 0 3px var(--pencil); }
+  @media (forced-colors: active) {
+    .handle > span { border: 2px solid ButtonText; }
+    .part[aria-selected='true'] { background: Highlight; color: HighlightText; }
+  }
+`;

@@ -1,0 +1,111 @@
+/** What a picture is asked for with: checked, and turned into what the scene takes. */
+import { solids } from '../document/build.ts';
+import type { Document } from '../document/document.ts';
+import { BACKGROUNDS, type Background, type Look, STYLES, type Style } from '../document/look.ts';
+import { FileError } from '../document/serialize.ts';
+import { type Quat, quat } from '../math/vec.ts';
+import type { PictureOptions } from '../scene/index.ts';
+import { FACE_ROTATION, type Face, fitted } from '../scene/view.ts';
+import type { View } from '../stroke/stroke.ts';
+import { boxOf } from './cameraMoves.ts';
+
+export interface Angles {
+  /** degrees around the vertical axis; 90 looks from the right */
+  readonly yaw: number;
+  /** degrees above the horizon; 90 looks from the top */
+  readonly pitch: number;
+  /** degrees the picture is turned counter-clockwise */
+  readonly roll?: number;
+}
+
+export interface Shot {
+  /** pixels; without them as large as the element on the screen */
+  readonly width?: number;
+  readonly height?: number;
+  /** a side or a direction, from which the whole model is framed; without it as one looks now */
+  readonly camera?: Face | Angles;
+  readonly style?: Style;
+  readonly background?: Background;
+}
+
+/**
+ * What the element looks like now.
+ * @internal
+ */
+export interface Now {
+  readonly document: Document;
+  readonly view: View;
+  readonly look: Look;
+  /** device pixels */
+  readonly width: number;
+  readonly height: number;
+  /** the whole model is about to be framed */
+  readonly fit: boolean;
+}
+
+/** px: as the scene has it */
+const SIDE = { least: 16, most: 8192 } as const;
+
+/** @internal */
+export function pictureOptions(shot: Shot, now: Now): PictureOptions {
+  const width = pixels('width', shot.width ?? now.width);
+  const height = pixels('height', shot.height ?? now.height);
+  const style = oneOf('style', STYLES, shot.style ?? now.look.style);
+  const background = oneOf('background', BACKGROUNDS, shot.background ?? now.look.background);
+  const items = solids(now.document).map((solid) => ({ ...solid, preview: false }));
+  const box = boxOf(items.map(({ mesh }) => mesh));
+  const rotation = shot.camera === undefined ? now.view.rotation : rotationOf(shot.camera);
+  const turned = { ...now.view, rotation };
+  const frame = box !== null && (shot.camera !== undefined || now.fit);
+  const view = frame ? fitted(turned, box, width / height) : turned;
+  return { width, height, view, look: { ...now.look, style, background }, items };
+}
+
+function pixels(place: string, value: number): number {
+  if (Number.isInteger(value) && value >= SIDE.least && value <= SIDE.most) return value;
+  throw wrong(place, `a whole number of pixels from ${SIDE.least} to ${SIDE.most}`, value);
+}
+
+function oneOf<T extends string>(place: string, known: readonly T[], value: T): T {
+  if (known.includes(value)) return value;
+  throw wrong(place, `one of ${known.join(', ')}`, value);
+}
+
+function rotationOf(camera: Face | Angles): Quat {
+  const sides = Object.keys(FACE_ROTATION) as Face[];
+  if (typeof camera === 'string') return FACE_ROTATION[oneOf('camera', sides, camera)];
+  const { yaw, pitch, roll = 0 } = camera ?? {};
+  for (const [name, value] of Object.entries({ yaw, pitch, roll }))
+    if (!Number.isFinite(value)) throw wrong(`camera.${name}`, 'degrees', value);
+  const angles = [turn('y', yaw), turn('x', -pitch), turn('z', -roll)] as const;
+  const [around, over, upright] = angles;
+  const looking = quat.multiply([0, 0, 0, 1], around, over);
+  return quat.multiply(looking, looking, upright) as unknown as Quat;
+}
+
+function turn(axis: 'x' | 'y' | 'z', degrees: number): [number, number, number, number] {
+  const half = (degrees * Math.PI) / 360;
+  const sine = Math.sin(half);
+  const along = (name: string) => (name === axis ? sine : 0);
+  return [along('x'), along('y'), along('z'), Math.cos(half)];
+}
+
+const wrong = (place: string, expected: string, found: unknown) =>
+  new FileError('picture', place, `expected ${expected}, found ${JSON.stringify(found) ?? String(found)}`);
+
+/**
+ * PNG; the picture has no transparent part.
+ * @internal
+ */
+export async function pngOf(image: ImageData): Promise<Blob> {
+  const canvas = document.createElement('canvas');
+  canvas.width = image.width;
+  canvas.height = image.height;
+  canvas.getContext('2d')?.putImageData(image, 0, 0);
+  return new Promise((resolve, reject) =>
+    canvas.toBlob(
+      (blob) => (blob ? resolve(blob) : reject(new Error('This picture is too large.'))),
+      'image/png',
+    ),
+  );
+}

@@ -1,0 +1,83 @@
+/**
+ * GLB: binary glTF 2.0, in metres as that format demands. A node with a mesh a part, a material a colour, normals and
+ * texture coordinates. The library that writes it is fetched when the first file is written.
+ */
+import type { Accessor, Buffer, Document, Material } from '@gltf-transform/core';
+import { linearRgb } from './colour.ts';
+import type { Exporter } from './index.ts';
+import { fileName } from './names.ts';
+import { type FilePart, fileParts } from './parts.ts';
+
+export const glb: Exporter = {
+  id: 'glb',
+  label: 'glTF binary (GLB)',
+  carries: 'named parts, normals, texture coordinates, colours; metres',
+  mime: 'model/gltf-binary',
+  async write(model) {
+    const { Document, WebIO } = await import('@gltf-transform/core');
+    const document = fill(new Document(), fileParts(model));
+    const bytes = await new WebIO().writeBinary(document);
+    return [{ name: `${fileName(model.name)}.glb`, bytes }];
+  },
+};
+
+const METRES = 0.001;
+/** clay: no metal, hardly a gleam */
+const ROUGHNESS = 0.8;
+
+function fill(document: Document, parts: readonly FilePart[]): Document {
+  document.getRoot().getAsset().generator = 'Rotund';
+  // A scene without nodes is not valid.
+  if (parts.length === 0) return document;
+  const scene = document.createScene();
+  document.getRoot().setDefaultScene(scene);
+  const buffer = document.createBuffer();
+  const materials = new Map<string, Material>();
+  for (const part of parts) {
+    const colour = part.colour.toLowerCase();
+    const material = materials.get(colour) ?? materialOf(document, colour);
+    materials.set(colour, material);
+    scene.addChild(nodeOf(document, buffer, part, material));
+  }
+  return document;
+}
+
+function materialOf(document: Document, colour: string): Material {
+  return (
+    document
+      .createMaterial(colour)
+      .setBaseColorFactor([...linearRgb(colour), 1])
+      .setMetallicFactor(0)
+      .setRoughnessFactor(ROUGHNESS)
+      // as in the program: a form without caps is seen from within, too
+      .setDoubleSided(true)
+  );
+}
+
+function nodeOf(document: Document, buffer: Buffer, { name, mesh }: FilePart, material: Material) {
+  const accessor = (type: 'SCALAR' | 'VEC2' | 'VEC3', array: Uint32Array | Float32Array): Accessor =>
+    document.createAccessor().setType(type).setArray(array.slice()).setBuffer(buffer);
+  const primitive = document
+    .createPrimitive()
+    .setMaterial(material)
+    .setIndices(accessor('SCALAR', mesh.indices))
+    .setAttribute(
+      'POSITION',
+      accessor(
+        'VEC3',
+        mesh.positions.map((x) => x * METRES + 0),
+      ),
+    )
+    .setAttribute(
+      'NORMAL',
+      accessor(
+        'VEC3',
+        mesh.normals.map((x) => x + 0),
+      ),
+    )
+    .setAttribute('TEXCOORD_0', accessor('VEC2', mesh.uvs.map(fromUpperLeft)));
+  return document.createNode(name).setMesh(document.createMesh(name).addPrimitive(primitive));
+}
+
+/** glTF counts v from the upper edge of a picture, the other formats and we from the lower one. */
+const fromUpperLeft = (value: number, i: number): number => (i % 2 ? 1 - value : value);

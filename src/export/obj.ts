@@ -1,0 +1,87 @@
+/**
+ * Wavefront OBJ with its material library: a group (and object) a part, positions, texture coordinates and normals with
+ * the digits that float32 needs, one material a colour. OBJ has no unit and no colour space; both are in comments.
+ */
+import { ByteWriter } from './bytes.ts';
+import { displayBytes } from './colour.ts';
+import type { Exporter } from './index.ts';
+import { fileName, wordNames, wordOf } from './names.ts';
+import { type FilePart, fileParts } from './parts.ts';
+
+export const obj: Exporter = {
+  id: 'obj',
+  label: 'Wavefront OBJ',
+  carries: 'groups, normals, texture coordinates, materials; millimetres',
+  mime: 'model/obj',
+  async write(model) {
+    const parts = fileParts(model);
+    const name = fileName(model.name);
+    // Readers split the line that names the library at spaces.
+    const library = `${wordOf(name) || 'rotund'}.mtl`;
+    return [
+      { name: `${name}.obj`, bytes: geometry(parts, library) },
+      { name: library, bytes: materials(parts) },
+    ];
+  },
+};
+
+function geometry(parts: readonly FilePart[], library: string): Uint8Array<ArrayBuffer> {
+  const out = new ByteWriter();
+  out.text('# Rotund\n# unit: millimetre; axes: right-handed, y up\n');
+  out.text(`mtllib ${library}\n`);
+  const names = wordNames(parts.map(({ name }) => name));
+  // Vertices are numbered from 1 through the whole file.
+  let first = 1;
+  parts.forEach(({ colour, mesh }, i) => {
+    out.text(`o ${names[i]}\ng ${names[i]}\n`);
+    vectors(out, 'v', mesh.positions, 3);
+    vectors(out, 'vt', mesh.uvs, 2);
+    vectors(out, 'vn', mesh.normals, 3);
+    out.text(`usemtl ${materialName(colour)}\n`);
+    faces(out, mesh.indices, first);
+    first += mesh.positions.length / 3;
+  });
+  return out.bytes();
+}
+
+function vectors(out: ByteWriter, keyword: string, values: Float32Array, width: number): void {
+  for (let i = 0; i < values.length; i += width) {
+    out.ascii(keyword);
+    for (let k = 0; k < width; k++) {
+      out.ascii(' ');
+      out.float(values[i + k]!);
+    }
+    out.ascii('\n');
+  }
+}
+
+function faces(out: ByteWriter, indices: Uint32Array, first: number): void {
+  for (let i = 0; i < indices.length; i += 3) {
+    out.ascii('f');
+    for (let k = 0; k < 3; k++) corner(out, indices[i + k]! + first);
+    out.ascii('\n');
+  }
+}
+
+/** Position, texture coordinate and normal have the same number. */
+function corner(out: ByteWriter, vertex: number): void {
+  out.ascii(' ');
+  out.whole(vertex);
+  out.ascii('/');
+  out.whole(vertex);
+  out.ascii('/');
+  out.whole(vertex);
+}
+
+const materialName = (colour: string): string => `colour_${colour.slice(1).toLowerCase()}`;
+
+function materials(parts: readonly FilePart[]): Uint8Array<ArrayBuffer> {
+  const out = new ByteWriter();
+  out.text('# Rotund\n# Kd: display values (sRGB), not linear\n');
+  for (const colour of new Set(parts.map(({ colour }) => colour.toLowerCase()))) {
+    out.text(`\nnewmtl ${materialName(colour)}\nKd`);
+    for (const value of displayBytes(colour)) out.text(` ${Number((value / 255).toFixed(6))}`);
+    out.text('\nKs 0 0 0\nd 1\nillum 1\n');
+  }
+  return out.bytes();
+}

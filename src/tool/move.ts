@@ -1,0 +1,179 @@
+/**
+ * Move: parts follow the pen in the view plane, along an axis, or over the surface that lies under them.
+ *
+ * Over a surface: the foot is the point of the other parts nearest to the middle of the moved ones when it can be
+ * seen, else what is seen behind that middle. The foot goes where the pen takes it, and the parts turn by the
+ * shortest way from the surface's normal at the start to the one now, so that an eye slides over a face and keeps
+ * looking out. Beside all surfaces the foot goes on in the view plane through where it last lay.
+ */
+import { apply, type Command } from '../document/command/index.ts';
+import type { Document } from '../document/document.ts';
+import { middleOfParts, seenParts } from '../document/extent.ts';
+import { type Placement, shortestTurn, turnAbout, UNMOVED } from '../math/placement.ts';
+import { add3, dot3, scale3, sub3 } from '../math/tuple.ts';
+import type { Vec2, Vec3 } from '../math/vec.ts';
+import { facingPlane, onPlane, project, rayAt, toWorld } from '../stroke/plane.ts';
+import { type Foot, footOf } from './foot.ts';
+import type { Bench, Pen, State } from './tool.ts';
+import type { Viewport } from './viewport.ts';
+
+/** What the parts are taken by. */
+export const HANDLES = ['view', 'x', 'y', 'z', 'surface'] as const;
+export type Handle = (typeof HANDLES)[number];
+
+export const AXIS: Readonly<Record<'x' | 'y' | 'z', Vec3>> = { x: [1, 0, 0], y: [0, 1, 0], z: [0, 0, 1] };
+
+/** Sine squared of the angle between an axis and the line of sight below which a pixel would be millimetres without end. */
+const END_ON = 0.02;
+
+/** Where the parts are taken; each report of the pen gives the next one. */
+interface Way {
+  readonly by: Placement;
+  to(pen: Pen, viewport: Viewport): Way;
+}
+
+/** A handle that is about to be taken: the pen comes down on it next. `back` is the state after it. */
+export function grip(handle: Handle, back: State): State {
+  return {
+    name: 'move.grip',
+    still: true,
+    down(pen, bench) {
+      const parts = seenParts(bench.document, bench.selection);
+      const middle = middleOfParts(parts);
+      return middle
+        ? carry(
+            handle,
+            parts.map(({ id }) => id),
+            middle,
+            pen,
+            bench,
+            back,
+          )
+        : back;
+    },
+    cancel: () => back,
+  };
+}
+
+/** Carries these parts from where the pen is; `point` is the one that stays under it. */
+export function carry(
+  handle: Handle,
+  ids: readonly string[],
+  point: Vec3,
+  pen: Pen,
+  bench: Bench,
+  back: State,
+): State {
+  return carrying(ids, wayOf(handle, ids, point, pen, bench), back);
+}
+
+function carrying(ids: readonly string[], way: Way, back: State): State {
+  const command: Command = { type: 'moveParts', ids, by: way.by };
+  let shown: Document | null = null;
+  return {
+    name: 'move.carrying',
+    still: true,
+    carried: { ids, by: way.by },
+    preview: (bench) => (shown ??= apply(bench.document, command)),
+    move(pens, bench) {
+      const pen = pens.at(-1);
+      return pen && carrying(ids, way.to(pen, bench.viewport), back);
+    },
+    up(bench) {
+      if (way.by !== UNMOVED) bench.commit([command]);
+      return back;
+    },
+    cancel: () => back,
+  };
+}
+
+function wayOf(handle: Handle, ids: readonly string[], point: Vec3, pen: Pen, bench: Bench): Way {
+  const foot = handle === 'surface' ? footOf(bench, ids, point) : null;
+  if (foot) return overSurface(foot, pen, bench.viewport, ids);
+  return handle === 'x' || handle === 'y' || handle === 'z'
+    ? alongAxis(AXIS[handle], point, pen, bench.viewport)
+    : inView(point, pen, bench.viewport);
+}
+
+/** A way that depends on where the pen is now, and not on how it came there. */
+function straight(shift: (pen: Pen, viewport: Viewport) => Vec3 | null): Way {
+  const at = (by: Placement): Way => ({
+    by,
+    to(pen, viewport) {
+      const translation = shift(pen, viewport);
+      return at(translation ? { ...UNMOVED, translation } : by);
+    },
+  });
+  return at(UNMOVED);
+}
+
+function inView(point: Vec3, start: Pen, viewport: Viewport): Way {
+  const from = underPen(viewport, point, start);
+  return straight((pen, now) => {
+    const to = underPen(now, point, pen);
+    return from && to && sub3(to, from);
+  });
+}
+
+/** On the plane through a point that faces the person who looks. */
+function underPen({ view, size }: Viewport, point: Vec3, { x, y }: Pick<Pen, 'x' | 'y'>): Vec3 | null {
+  const plane = facingPlane(view, point);
+  const p = onPlane(rayAt(view, size, x, y), plane);
+  return p && toWorld(plane, p);
+}
+
+function alongAxis(axis: Vec3, point: Vec3, start: Pen, viewport: Viewport): Way {
+  const from = nearestOnAxis(viewport, axis, point, start);
+  return straight((pen, now) => {
+    const to = nearestOnAxis(now, axis, point, pen);
+    return from === null || to === null ? null : scale3(axis, to - from);
+  });
+}
+
+/** mm along the axis from the point to where it comes nearest to the ray through the pen; null when seen end-on. */
+function nearestOnAxis({ view, size }: Viewport, axis: Vec3, point: Vec3, { x, y }: Pen): number | null {
+  const { origin, direction } = rayAt(view, size, x, y);
+  const along = dot3(axis, direction);
+  const slope = 1 - along * along;
+  if (slope < END_ON) return null;
+  return dot3(sub3(origin, point), sub3(axis, scale3(direction, along))) / slope;
+}
+
+function overSurface(foot: Foot, start: Pen, viewport: Viewport, ids: readonly string[]): Way {
+  const shown = project(viewport.view, viewport.size, foot.point) ?? [start.x, start.y];
+  // The handle lies beside the foot: what counts is how far the pen has gone.
+  const offset: Vec2 = [shown[0] - start.x, shown[1] - start.y];
+  const at = (last: Foot, by: Placement): Way => ({
+    by,
+    to(pen, now) {
+      const [x, y] = [pen.x + offset[0], pen.y + offset[1]];
+      const hit = now.pick(x, y, ids);
+      if (hit) return at(hit, footTo(foot, hit.point, hit.normal));
+      const point = underPen(now, last.point, { x, y });
+      return point ? at(last, footTo(foot, point, last.normal)) : at(last, by);
+    },
+  });
+  return at(foot, UNMOVED);
+}
+
+/** The foot comes to a point, and the surface's normal there to another. */
+function footTo(foot: Foot, point: Vec3, normal: Vec3): Placement {
+  return turnAbout(foot.point, shortestTurn(foot.normal, normal), sub3(point, foot.point));
+}
+
+/** The pen where it shows a point that is so many mm to the right and up of another, for keys. */
+export function penBeside(
+  viewport: Viewport,
+  handle: Handle,
+  point: Vec3,
+  right: number,
+  up: number,
+): Vec2 | null {
+  const { view, size } = viewport;
+  const plane = facingPlane(view, point);
+  const to =
+    handle === 'x' || handle === 'y' || handle === 'z'
+      ? add3(point, scale3(AXIS[handle], right + up))
+      : toWorld(plane, [right, up]);
+  return project(view, size, to);
+}

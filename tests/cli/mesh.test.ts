@@ -1,0 +1,144 @@
+/** `rotund mesh` as a process: measures against mathematics, files against the exporters, one line of JSON. */
+import { lstatSync, mkdirSync, readFileSync, symlinkSync } from 'node:fs';
+import { join } from 'node:path';
+import { describe, expect, it } from 'vitest';
+import { exporters, modelOf } from '../../src/export/index.ts';
+import { BALL, documentOf, drawingFile, PIPE, RING, scriptFile, UNFINISHED } from './drawings.ts';
+import { useProgram } from './program.ts';
+
+const program = useProgram();
+const { put, run } = program;
+const bytes = (name: string) => readFileSync(join(program.folder, name));
+
+/** The result of a command that must succeed. */
+async function result(...args: readonly string[]) {
+  const { status, stdout, stderr } = await run(args);
+  expect(stderr === '' || stderr.startsWith('rotund: '), stderr).toBe(true);
+  expect(status).toBe(0);
+  expect(stdout).toMatch(/^\{[ -~]+\}\n$/);
+  return JSON.parse(stdout);
+}
+
+const near = (found: number, expected: number): number => Math.abs(found / expected - 1);
+
+describe('rotund mesh', () => {
+  it('measures a ball', async () => {
+    put('ball.rotund', drawingFile(BALL));
+    const found = await result('mesh', 'ball.rotund', '-o', 'ball.stl');
+    expect(near(found.volume, (4 / 3) * Math.PI * 50 ** 3)).toBeLessThan(0.01);
+    expect(near(found.area, 4 * Math.PI * 50 ** 2)).toBeLessThan(0.01);
+    expect(found).toMatchObject({ watertight: true, genus: 0, fieldEvaluations: 0 });
+    for (const value of [...found.bounds.min.map((x: number) => -x), ...found.bounds.max]) {
+      expect(Math.abs(value - 50)).toBeLessThan(0.5);
+    }
+    expect(found.milliseconds).toBeGreaterThan(0);
+    expect(bytes('ball.stl').length).toBe(84 + 50 * found.triangles);
+  });
+
+  it('measures a ring, whose genus is 1', async () => {
+    put('ring.rotund', drawingFile(RING));
+    const found = await result('mesh', 'ring.rotund', '-o', 'ring.ply');
+    expect(near(found.volume, 2 * Math.PI ** 2 * 40 * 5 ** 2)).toBeLessThan(0.01);
+    expect(near(found.area, 4 * Math.PI ** 2 * 40 * 5)).toBeLessThan(0.01);
+    expect(found).toMatchObject({ watertight: true, genus: 1 });
+  });
+
+  it('tells parts apart and sums them up', async () => {
+    put('three.rotund', drawingFile([...BALL, ...RING, ...PIPE]));
+    const found = await result('mesh', 'three.rotund', '-o', 'three.glb');
+    expect(found.parts).toHaveLength(3);
+    expect(found.parts.map((part: { genus: number | null }) => part.genus)).toEqual([0, 1, null]);
+    expect(found).toMatchObject({ watertight: false, genus: null });
+    for (const key of ['vertices', 'triangles', 'volume', 'area']) {
+      const sum = found.parts.reduce((before: number, part: Record<string, number>) => before + part[key]!, 0);
+      expect(near(found[key], sum)).toBeLessThan(1e-12);
+    }
+  });
+
+  it.each(Object.keys(exporters))('writes what the exporter writes: %s', async (id) => {
+    put('two.rotund', drawingFile([...BALL, ...RING], 'Another name'));
+    await result('mesh', 'two.rotund', '-o', `two.${id}`);
+    const expected = await exporters[id as 'obj'].write(modelOf(documentOf([...BALL, ...RING]), 'two'));
+    for (const { name, bytes: own } of expected) expect(bytes(name).equals(own), name).toBe(true);
+  });
+
+  it('writes the same mesh from a drawing, from its script and from standard input', async () => {
+    put('drawing.rotund', drawingFile([...BALL, ...RING]));
+    const script = put('script.rotund', scriptFile([...BALL, ...RING]));
+    await result('mesh', 'drawing.rotund', '-o', 'a.ply');
+    await result('mesh', script, '--output=b.ply');
+    const piped = await run(['mesh', '-', '-o', 'c.PLY'], { stdin: drawingFile([...BALL, ...RING]) });
+    expect(piped.status).toBe(0);
+    expect(bytes('b.ply').equals(bytes('a.ply'))).toBe(true);
+    expect(bytes('c.PLY').equals(bytes('a.ply'))).toBe(true);
+  });
+
+  it('follows --surface-resolution', async () => {
+    put('ball.rotund', drawingFile(BALL));
+    const coarse = await result('mesh', 'ball.rotund', '-o', 'x.stl', '--surface-resolution', '16');
+    const fine = await result('mesh', 'ball.rotund', '-o', 'x.stl', '--surface-resolution', '128x32');
+    const same = await result('mesh', 'ball.rotund', '-o', 'x.stl', '--surface-resolution=64x64');
+    const usual = await result('mesh', 'ball.rotund', '-o', 'y.stl', '--resolution', '256', '--backend', 'cpu');
+    expect(coarse.triangles).toBeLessThan(usual.triangles / 8);
+    expect(near(fine.triangles, 2 * 128 * 32)).toBeLessThan(0.1);
+    expect(same.triangles).toBe(usual.triangles);
+    expect(bytes('x.stl').equals(bytes('y.stl'))).toBe(true);
+  });
+
+  it('leaves out the unfinished form and hidden parts, and says so', async () => {
+    const hide = { type: 'showParts', ids: ['part-2'], shown: false } as const;
+    const file = put('left.rotund', drawingFile([...BALL, ...RING, hide as never, UNFINISHED]));
+    const { stdout, stderr } = await run(['mesh', file, '-o', 'left.stl']);
+    expect(JSON.parse(stdout).parts).toHaveLength(1);
+    expect(stderr).toContain('unfinished form (1 stroke)');
+    expect(stderr).toMatch(/1 hidden part is left out: “Tube 2”/);
+  });
+
+  it('quotes names so that no terminal obeys them', async () => {
+    const rename = { type: 'renamePart', id: 'part-1', name: 'a\u001b[31mb\u009bc' } as const;
+    const hide = { type: 'showParts', ids: ['part-1'], shown: false } as const;
+    const file = put('escape.rotund', drawingFile([...BALL, rename as never, hide as never, ...RING]));
+    const { stderr, stdout } = await run(['mesh', file, '-o', 'escape.stl']);
+    // biome-ignore lint/suspicious/noControlCharactersInRegex: these are what must not be there
+    expect(stderr + stdout).not.toMatch(/[\u0000-\u0009\u000b-\u001f\u007f-\u009f]/);
+  });
+
+  it('replaces a file as a whole, and through a link', async () => {
+    put('ball.rotund', drawingFile(BALL));
+    put('target.stl', 'old');
+    symlinkSync('target.stl', join(program.folder, 'link.stl'));
+    await result('mesh', 'ball.rotund', '-o', 'link.stl');
+    expect(lstatSync(join(program.folder, 'link.stl')).isSymbolicLink()).toBe(true);
+    expect(bytes('target.stl').length).toBeGreaterThan(1000);
+    expect(program.list().filter((name) => name.endsWith('.part'))).toEqual([]);
+  });
+
+  it('writes both files of an OBJ or none', async () => {
+    put('ball.rotund', drawingFile(BALL));
+    put('pair.obj', 'old');
+    mkdirSync(join(program.folder, 'pair.mtl'));
+    const before = program.list();
+    const { status, stdout, stderr } = await run(['mesh', 'ball.rotund', '-o', 'pair.obj']);
+    expect(status).toBe(2);
+    expect(stdout).toBe('');
+    expect(stderr).toContain('pair.mtl');
+    expect(bytes('pair.obj').toString()).toBe('old');
+    expect(program.list()).toEqual(before);
+  });
+
+  const empty: readonly (readonly [string, readonly never[] | typeof BALL, string])[] = [
+    ['no parts', [], 'no parts'],
+    ['an unfinished form', [UNFINISHED], 'unfinished form'],
+    ['hidden parts', [...BALL, { type: 'showParts', ids: ['part-1'], shown: false } as never], 'hidden'],
+  ];
+  it.each(empty)('refuses to export nothing: %s', async (_, commands, reason) => {
+    const file = put('empty.rotund', drawingFile(commands));
+    const before = program.list();
+    const { status, stdout, stderr } = await run(['mesh', file, '-o', 'empty.obj']);
+    expect(status).toBe(2);
+    expect(stdout).toBe('');
+    expect(stderr).toMatch(/empty\.rotund: nothing to export: /);
+    expect(stderr).toContain(reason);
+    expect(program.list()).toEqual(before);
+  });
+});

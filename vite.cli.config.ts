@@ -1,0 +1,52 @@
+/**
+ * The command line as files in dist/cli. By default the program itself, for Node; with `--mode page` what it opens in
+ * Chromium: the element alone.
+ */
+import { readFileSync } from 'node:fs';
+import { defineConfig, type UserConfig } from 'vite';
+
+const { version, devDependencies } = JSON.parse(readFileSync('package.json', 'utf8')) as {
+  readonly version: string;
+  readonly devDependencies: Readonly<Record<string, string>>;
+};
+
+const program: UserConfig = {
+  define: {
+    ROTUND_VERSION: JSON.stringify(version),
+    ROTUND_PLAYWRIGHT: JSON.stringify(devDependencies['playwright-core']),
+  },
+  // One folder that runs anywhere: only the optional package stays outside.
+  ssr: { noExternal: true, external: ['playwright-core'] },
+  build: {
+    ssr: 'src/cli/main.ts',
+    outDir: 'dist/cli',
+    target: 'node20',
+    rolldownOptions: {
+      output: {
+        entryFileNames: 'rotund.js',
+        chunkFileNames: '[name]-[hash].js',
+        banner: (chunk) => (chunk.isEntry ? '#!/usr/bin/env node' : ''),
+      },
+    },
+  },
+};
+
+const page: UserConfig = {
+  base: './',
+  build: {
+    outDir: 'dist/cli/page',
+    target: 'es2022',
+    chunkSizeWarningLimit: 1200,
+    modulePreload: { polyfill: false },
+    rolldownOptions: {
+      input: { sketch: 'src/element/define.ts' },
+      output: { entryFileNames: '[name].js', chunkFileNames: '[name]-[hash].js' },
+    },
+  },
+};
+
+export default defineConfig(({ mode }) => ({
+  publicDir: false,
+  logLevel: 'warn',
+  ...(mode === 'page' ? page : program),
+}));
