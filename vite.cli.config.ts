@@ -2,18 +2,13 @@
  * The command line as files in dist/cli. By default the program itself, for Node; with `--mode page` what it opens in
  * Chromium: the element alone.
  */
-import { readFileSync } from 'node:fs';
 import { defineConfig, type UserConfig } from 'vite';
-
-const { version, devDependencies } = JSON.parse(readFileSync('package.json', 'utf8')) as {
-  readonly version: string;
-  readonly devDependencies: Readonly<Record<string, string>>;
-};
+import manifest from './package.json' with { type: 'json' };
 
 const program: UserConfig = {
   define: {
-    ROTUND_VERSION: JSON.stringify(version),
-    ROTUND_PLAYWRIGHT: JSON.stringify(devDependencies['playwright-core']),
+    ROTUND_VERSION: JSON.stringify(manifest.version),
+    ROTUND_PLAYWRIGHT: JSON.stringify(manifest.peerDependencies['playwright-core']),
   },
   // One folder that runs anywhere: only the optional package stays outside.
   ssr: { noExternal: true, external: ['playwright-core'] },

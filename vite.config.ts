@@ -17,6 +17,7 @@ export default defineConfig({
       'lit',
       'idb',
       'browser-fs-access',
+      '@gltf-transform/core',
     ],
   },
 });

@@ -3,7 +3,15 @@ import { defineConfig } from 'vitest/config';
 export default defineConfig({
   test: {
     projects: [
-      { test: { name: 'unit', include: ['tests/**/*.test.ts'], exclude: ['tests/gpu/**'] } },
+      {
+        test: {
+          name: 'unit',
+          include: ['tests/**/*.test.ts'],
+          exclude: ['tests/gpu/**'],
+          // A busy machine is no failure.
+          testTimeout: 20_000,
+        },
+      },
       { test: { name: 'gpu', include: ['tests/gpu/**/*.test.ts'], testTimeout: 60_000 } },
     ],
     benchmark: { include: ['tests/bench/**/*.bench.ts'] },

@@ -76,13 +76,14 @@ export function saturation(picture: Picture, [x, y]: Point): number {
   return Math.max(...colour) - Math.min(...colour);
 }
 
-/** Share of dark pixels in a square around a place. */
-export function darkness(picture: Picture, [x, y]: Point, reach: number): number {
-  let dark = 0;
+/** The darkest pixel in a square around a place, 0 black to 1 white. */
+export function darkest(picture: Picture, [x, y]: Point, reach: number): number {
+  let least = 1;
   for (let dy = -reach; dy <= reach; dy++) {
     for (let dx = -reach; dx <= reach; dx++) {
-      if (picture.at(x + dx, y + dy).reduce((sum, value) => sum + value, 0) < 380) dark++;
+      const sum = picture.at(x + dx, y + dy).reduce((total, value) => total + value, 0);
+      least = Math.min(least, sum / 765);
     }
   }
-  return dark / (2 * reach + 1) ** 2;
+  return least;
 }

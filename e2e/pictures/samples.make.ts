@@ -40,7 +40,7 @@ const draw = async (page: Page, wanted: Wanted): Promise<PNG> =>
   decoded(await page.evaluate((w) => window.drawFile(w), wanted));
 
 test('every sample in every style', async ({ page }) => {
-  test.setTimeout(600_000);
+  test.setTimeout(1_200_000);
   await open(page);
   const small: PNG[][] = Object.keys(STYLES).map(() => []);
   for (const { file } of entries) {
@@ -65,7 +65,7 @@ const THUMBNAIL = 320;
 const FILLED = 0.9;
 
 test('thumbnails', async ({ page }) => {
-  test.setTimeout(600_000);
+  test.setTimeout(1_200_000);
   await open(page);
   for (const { file, thumbnail } of entries) {
     const text = readFileSync(`${FROM}/${file}`, 'utf8');

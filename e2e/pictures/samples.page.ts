@@ -1,5 +1,6 @@
 /** Files as pictures, without the application: a drawing's text in, a PNG's data address out. */
 import { solids } from '../../src/document/build.ts';
+import type { Drawing } from '../../src/document/drawing.ts';
 import { parse } from '../../src/document/serialize.ts';
 import { createScene, type Look, type Scene } from '../../src/scene/index.ts';
 import type { View } from '../../src/stroke/stroke.ts';
@@ -22,14 +23,17 @@ declare global {
 
 const canvas = document.body.appendChild(document.createElement('canvas'));
 let opened: Promise<Scene> | undefined;
+/** Forms are cached by reference: a file that is drawn again is not read again. */
+let last: { readonly text: string; readonly drawing: Drawing } | undefined;
 
-/** Lines at twice the resolution on a software adapter too. */
-const FINE_TEXELS = 16e6;
+/** Lines at twice the resolution of a thumbnail before it is shrunk, on a software adapter too. */
+const LINE_TEXELS = 7e6;
 
 window.drawFile = async ({ text, look, view, size, pixelRatio }) => {
-  opened ??= createScene(canvas, { lineTexels: FINE_TEXELS });
+  opened ??= createScene(canvas, { lineTexels: LINE_TEXELS });
   const scene = await opened;
-  const drawing = parse(text, 'sample');
+  if (last?.text !== text) last = { text, drawing: parse(text, 'sample') };
+  const { drawing } = last;
   const [width, height] = size;
   scene.resize(width, height, pixelRatio);
   scene.sync(solids(drawing.document).map(({ id, mesh, colour }) => ({ id, mesh, colour, preview: false })));

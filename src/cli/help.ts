@@ -11,7 +11,8 @@ export function generalHelp(): string {
 ${commands}
 
 IN is a drawing (.rotund) or a script of commands; - reads standard input.
-rotund COMMAND --help lists a command's options, rotund --version prints the version.`;
+rotund COMMAND --help lists a command's options; rotund --version says which
+version this is.`;
 }
 
 export function commandHelp({ synopsis, summary, options, output }: CommandSpec): string {

@@ -3,7 +3,6 @@
  * 2 for what was asked or given, 1 for what the machine lacks.
  */
 import { FileError } from '../document/serialize.ts';
-import { ExportError } from '../export/index.ts';
 import { type Args, readArgs } from './args.ts';
 import { COMMANDS, type CommandSpec, FUTURE_COMMANDS } from './commands.ts';
 import { commandHelp, generalHelp } from './help.ts';
@@ -40,7 +39,7 @@ function print(text: string): void {
 }
 
 function failed(error: unknown): void {
-  const known = error instanceof Problem || error instanceof FileError || error instanceof ExportError;
+  const known = error instanceof Problem || error instanceof FileError;
   const message = error instanceof Error ? error.message : String(error);
   say(
     known

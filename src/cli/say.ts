@@ -50,6 +50,6 @@ export function progress(
   return (done) => {
     if (now() - last < PATIENCE || done === total) return;
     last = now();
-    say(`${doing}: ${done} of ${total}`);
+    say(`rotund: ${doing}: ${done} of ${total}`);
   };
 }

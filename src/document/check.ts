@@ -11,7 +11,7 @@ import type { Drawing } from './drawing.ts';
 import { FileError, placeOf, shown } from './fileError.ts';
 import { commands as commandsSchema, drawing as drawingSchema } from './fileSchema.ts';
 import { LIMITS, RANGES } from './limits.ts';
-import { strokeCount } from './rules.ts';
+import { MOST_STROKES, strokeCount } from './rules.ts';
 import { document as documentSchema, stroke as strokeSchema } from './schema.ts';
 
 /** Where the data lies in what a person knows: the file's name, and keys. */
@@ -84,9 +84,13 @@ export function applyChecked(
     throw expected(file, [...path, ...place], 'the id of a part that is there by then', ids[missing]);
   }
   const after = apply(document, command);
-  if (after.nextId > RANGES.nextId.max || strokeCount(after) > LIMITS.strokes) {
+  if (after.nextId > RANGES.nextId.max || hasTooMany(after)) {
     const limit = `a document of at most ${LIMITS.strokes} strokes`;
     throw expected(file, [...path, 'type'], `${limit} after this`, command.type);
   }
   return after;
 }
+
+/** Not counted where there cannot be: a script of thousands of strokes asks after each. */
+const hasTooMany = (document: Document): boolean =>
+  (document.parts.length + 1) * MOST_STROKES > LIMITS.strokes && strokeCount(document) > LIMITS.strokes;

@@ -4,7 +4,7 @@
  */
 
 /** Characters of a line. */
-const WIDTH = 110;
+const WIDTH = 140;
 
 /** Numbers are finite; a list under the key `samples` holds rows of numbers. */
 export function layout(value: unknown): string {

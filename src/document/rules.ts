@@ -55,12 +55,13 @@ export const partRules = <T extends Pick<Part, 'kind' | 'strokes'>>() =>
     return { expected, path: ['strokes'] };
   });
 
-const MOST_IN_DRAFT = 2;
+/** of one form */
+export const MOST_STROKES = Math.max(...Object.values(surfaces).map(({ strokes }) => strokes));
 
 export const draftRules = <T extends Draft>() =>
   rule<T>(({ strokes }) => {
-    if (strokes.length >= 1 && strokes.length <= MOST_IN_DRAFT) return strayIn(strokes);
-    return { expected: `1 to ${MOST_IN_DRAFT} strokes, else null for the whole draft`, path: ['strokes'] };
+    if (strokes.length >= 1 && strokes.length <= MOST_STROKES) return strayIn(strokes);
+    return { expected: `1 to ${MOST_STROKES} strokes, else null for the whole draft`, path: ['strokes'] };
   });
 
 /** A document whose parts may lack what can be worked out. */

@@ -98,11 +98,11 @@ const SAMPLE_SCHEMA = {
 };
 
 export const samples = v.pipe(
-  v.array(v.unknown(), COUNT),
-  v.metadata({ minItems: 1, maxItems: LIMITS.samples, items: SAMPLE_SCHEMA }),
+  v.unknown(),
+  v.metadata({ type: 'array', minItems: 1, maxItems: LIMITS.samples, items: SAMPLE_SCHEMA }),
   v.rawTransform(({ dataset, addIssue, NEVER }): readonly Sample[] => {
     const rows = dataset.value;
-    if (rows.length < 1 || rows.length > LIMITS.samples) {
+    if (!Array.isArray(rows) || rows.length < 1 || rows.length > LIMITS.samples) {
       addIssue({ message: COUNT });
       return NEVER;
     }

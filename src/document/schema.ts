@@ -39,6 +39,17 @@ export const plane = v.pipe(
   planeRules(),
 );
 
+const { min, max } = RANGES.fov;
+const fovExpected = `0 (orthographic) or ${between(RANGES.fov)}`;
+const fov = v.pipe(
+  v.number(fovExpected),
+  v.check((value) => value === 0 || (value >= min && value <= max), fovExpected),
+  v.metadata({
+    anyOf: [{ const: 0 }, { minimum: min, maximum: max }],
+    description: 'degrees; 0 = orthographic',
+  }),
+);
+
 export const view = fields({
   pivot: v.optional(v.pipe(numbers3(RANGES.pivot), v.description('mm')), FRONT_VIEW.pivot),
   rotation: v.optional(rotation, FRONT_VIEW.rotation),
@@ -46,10 +57,7 @@ export const view = fields({
     v.pipe(number(RANGES.height), v.description('mm visible at the pivot')),
     FRONT_VIEW.height,
   ),
-  fov: v.optional(
-    v.union([v.literal(0), number(RANGES.fov)], `0 (orthographic) or ${between(RANGES.fov)}`),
-    FRONT_VIEW.fov,
-  ),
+  fov: v.optional(fov, FRONT_VIEW.fov),
 });
 
 export const placement = fields({

@@ -1,10 +1,7 @@
 /** What a page hands to the element, checked as files are: FileError says the place and what was expected. */
 import type { Command } from '../document/command/index.ts';
 import type { Document } from '../document/document.ts';
-import type { Drawing } from '../document/drawing.ts';
-import { checkCommands, checkDrawing, FileError } from '../document/serialize.ts';
-
-export const checkedDrawing = (value: unknown): Drawing => checkDrawing(value);
+import { checkCommands, FileError } from '../document/serialize.ts';
 
 /** None of them is carried out when one of them is none, or names a part that is not there by then. */
 export const checkedCommands = (value: unknown, document: Document): readonly Command[] =>

@@ -140,7 +140,7 @@ export function rail(session: Session, actions: Actions): TemplateResult {
   const position = radiusToSlider(radius);
   const moved = (done: boolean) => (event: Event) =>
     actions.setRadius(sliderToRadius(Number((event.target as HTMLInputElement).value)), done);
-  return html`<div class="rail card chrome ${named ? 'named' : ''}" part="tools" role="toolbar" aria-label="Tools" aria-orientation="vertical">
+  return html`<div class="rail card chrome ${named ? 'named' : ''} ${drawing ? '' : 'selecting'}" part="tools" role="toolbar" aria-label="Tools" aria-orientation="vertical">
     ${iconButton('draw', 'Draw', draw, { key: 'D', pressed: drawing })}
     ${iconButton('select', PART_WORDS.select, () => session.setTool('select'), { key: 'V', pressed: !drawing })}
     ${

@@ -14,7 +14,7 @@ import type { Actions } from './controls.ts';
 import { dragHandle, keyHandle, letGo } from './gizmoHands.ts';
 import { icon } from './icons.ts';
 import { partsName } from './partCard.ts';
-import type { Size } from './place.ts';
+import type { Rect, Size } from './place.ts';
 import type { Session } from './session.ts';
 import { PART_WORDS } from './words.ts';
 
@@ -26,8 +26,8 @@ const NARROW = 700;
 const END_ON = 0.42;
 /** px between two knobs */
 const APART = 46;
-/** px: where handles are within reach of a hand, beside the controls at the edges */
-const FREE = { side: 32, top: 84, bottom: 32 } as const;
+/** px the controls at the edges take: the top row, an open dock, and on phones tools and actions, or a sheet */
+const EDGE = { side: 28, top: 92, dock: 352, tools: 190 } as const;
 
 interface Knob {
   readonly handle: Handle;
@@ -35,7 +35,7 @@ interface Knob {
   readonly at: Vec2 | null;
 }
 
-export function gizmo(session: Session, _actions: Actions): TemplateResult | typeof nothing {
+export function gizmo(session: Session, actions: Actions): TemplateResult | typeof nothing {
   const { view, size, document } = session;
   if (session.tool !== 'select' || session.state.band) return nothing;
   const parts = seenParts(document, session.selection);
@@ -43,7 +43,8 @@ export function gizmo(session: Session, _actions: Actions): TemplateResult | typ
   const at = middle && project(view, size, middle);
   if (!at || at[0] < 0 || at[1] < 0 || at[0] > size.width || at[1] > size.height) return nothing;
   const others = document.parts.some(({ id, hidden }) => !hidden && !session.selection.includes(id));
-  const knobs = knobsAround(view, size, at, others);
+  const free = freeArea(size, actions.open === 'parts' || actions.open === 'settings');
+  const knobs = knobsAround(view, size, at, free, others);
   return html`<div class="gizmo" role="group" aria-label=${PART_WORDS.handles(partsName(parts))}
     style="transform:translate(${at[0]}px,${at[1]}px)">
     <svg aria-hidden="true">${knobs.map(shaft)}</svg>
@@ -58,7 +59,15 @@ export function middleNow({ document, selection, state }: Session): Vec3 | null 
   return middle && state.carried ? place3(state.carried.by, middle) : middle;
 }
 
-export function knobsAround(view: View, size: Size, middle: Vec2, others: boolean): Knob[] {
+/** Where a hand can reach the handles. */
+function freeArea({ width, height }: Size, docked: boolean): Rect {
+  const narrow = width < NARROW;
+  const bottom = !narrow ? EDGE.side : docked ? height / 2 + EDGE.side : EDGE.tools;
+  const right = docked && !narrow ? EDGE.dock : EDGE.side;
+  return { left: EDGE.side, top: EDGE.top, right: width - right, bottom: height - bottom };
+}
+
+export function knobsAround(view: View, size: Size, middle: Vec2, free: Rect, others: boolean): Knob[] {
   const reach = size.width < NARROW ? REACH.narrow : REACH.wide;
   const taken: Vec2[] = [[0, 0]];
   const axes = (['x', 'y', 'z'] as const).map((handle): Knob => {
@@ -68,30 +77,32 @@ export function knobsAround(view: View, size: Size, middle: Vec2, others: boolea
       [reach.axis * x, -reach.axis * y],
       [-reach.axis * x, reach.axis * y],
     ];
-    // Two axes may lie one behind the other: then one knob sits at the other end of its axis.
-    const at = ends.find((end) => isFree(end, taken)) ?? null;
+    // Two axes may lie one behind the other, or an end under a card: then the knob sits at the other end.
+    const apart = ends.filter((end) => isFree(end, taken));
+    const at = apart.find((end) => isWithin(free, middle, end)) ?? apart[0] ?? null;
     if (at) taken.push(at);
     return { handle, at };
   });
-  const slide = others ? slideAt(reach.slide, middle, size, taken) : null;
+  const slide = others ? slideAt(reach.slide, middle, free, taken) : null;
   return [{ handle: 'view', at: [0, 0] }, ...axes, { handle: 'surface', at: slide }];
 }
 
 const isFree = (at: Vec2, taken: readonly Vec2[]): boolean =>
   taken.every((other) => Math.hypot(at[0] - other[0], at[1] - other[1]) >= APART);
 
+function isWithin({ left, top, right, bottom }: Rect, middle: Vec2, at: Vec2): boolean {
+  const [x, y] = [middle[0] + at[0], middle[1] + at[1]];
+  return x > left && x < right && y > top && y < bottom;
+}
+
 /** Down to the right, or the next quarter where there is room. */
-function slideAt(reach: number, middle: Vec2, size: Size, taken: readonly Vec2[]): Vec2 {
+function slideAt(reach: number, middle: Vec2, free: Rect, taken: readonly Vec2[]): Vec2 {
   const places = [45, 135, -135, -45, 22, 158, -158, -22].map((degrees): Vec2 => {
     const angle = (degrees * Math.PI) / 180;
     return [reach * Math.cos(angle), reach * Math.sin(angle)];
   });
-  const fits = ([x, y]: Vec2) =>
-    middle[0] + x > FREE.side &&
-    middle[0] + x < size.width - FREE.side &&
-    middle[1] + y > FREE.top &&
-    middle[1] + y < size.height - FREE.bottom;
-  return places.find((at) => isFree(at, taken) && fits(at)) ?? places[0]!;
+  const apart = places.filter((at) => isFree(at, taken));
+  return apart.find((at) => isWithin(free, middle, at)) ?? apart[0] ?? places[0]!;
 }
 
 const shaft = ({ handle, at }: Knob) =>

@@ -89,7 +89,7 @@ function stroke(session: Session): TemplateResult {
 
 /** Of the selected parts, or else of what is being drawn. */
 function palette(session: Session, actions: Actions): TemplateResult {
-  if (chosenParts(session).length > 0)
+  if (session.tool === 'select' && chosenParts(session).length > 0)
     return frame('Colour', 'palette', actions, html`<section>${partColours(session)}</section>`);
   const { colour } = session.document.brush;
   const set = (value: string) => session.setBrush({ colour: value });

@@ -62,10 +62,8 @@ function nameField(session: Session, { id, name }: Part): TemplateResult {
     if (event.key !== 'Enter' && event.key !== 'Escape') return;
     event.stopPropagation();
     if (event.key === 'Escape') field.value = name;
-    const row = field.closest('.panel')?.querySelector<HTMLElement>('[role=row][tabindex="0"]');
     // The field lets go, and the keys stay in the panel.
-    if (row) row.focus({ preventScroll: true });
-    else field.blur();
+    field.closest('.panel')?.querySelector<HTMLElement>('.part-list')?.focus({ preventScroll: true });
   };
   return html`<label class="name-field"><span>${PART_WORDS.name}</span>
     <input type="text" maxlength=${LONGEST_NAME} autocomplete="off" spellcheck="false" enterkeyhint="done"

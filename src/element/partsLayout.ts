@@ -39,10 +39,11 @@ export const partsLayout = css`
 
   /* list and card */
   .panel.parts { display: flex; flex-direction: column; }
-  .part-list { overflow-y: auto; overscroll-behavior: contain; min-height: 3rem; flex: 0 1 auto; max-height: 19.5rem; }
-  .part { display: flex; align-items: center; min-height: 3rem; border-radius: 0.75rem; padding-left: 0.5rem; cursor: pointer; content-visibility: auto; contain-intrinsic-size: auto 3rem; }
+  .part-list { overflow-y: auto; overscroll-behavior: contain; flex: none; max-height: max(9.75rem, 100cqh - 41rem); }
+  .part { display: flex; align-items: center; height: 3rem; border-radius: 0.75rem; padding-left: 0.5rem; cursor: pointer; }
   .part:hover { background: var(--sunken); }
-  .part:focus-visible { outline-offset: -3px; }
+  .part-list:focus-visible { outline: none; }
+  .part-list:focus-visible .active { outline: 3px solid var(--pencil); outline-offset: -3px; }
   .part .what { flex: 1; min-width: 0; display: flex; align-items: center; gap: 0.625rem; }
   .part .what > span { min-width: 0; }
   .part b, .part small { display: block; overflow: hidden; text-overflow: ellipsis; white-space: nowrap; }
@@ -54,6 +55,7 @@ export const partsLayout = css`
   .part.unseen .what .icon { opacity: 0.55; }
   .part[aria-selected='true'] { background: var(--pencil-soft); }
   .part[aria-selected='true'] :is(b, .what .icon) { color: var(--pencil); }
+  .panel input[type='color'] { width: 3.5rem; height: 2.75rem; padding: 0.375rem; border: 0; background: none; cursor: pointer; }
   .quiet-words { padding: 0.5rem; color: var(--ink-2); font-size: 0.8125rem; line-height: 1.125rem; }
   .name-field { display: flex; align-items: center; gap: 0.75rem; padding: 0 0.5rem; font: 600 0.8125rem/1.125rem var(--font); color: var(--ink-2); }
   .name-field input { flex: 1; min-width: 0; height: 2.75rem; padding: 0 0.75rem; border: 1.5px solid var(--edge); border-radius: 0.75rem; background: var(--surface); color: var(--ink); font: 600 0.9375rem/1.3125rem var(--font); user-select: text; -webkit-user-select: text; }
@@ -65,18 +67,24 @@ export const partsLayout = css`
     .acts.docked { left: calc(50% - 10.5rem); }
     .acts.docked ~ .status { max-width: calc(50cqw - 25rem); }
   }
+  @container (min-width: 700px) and (max-width: 1099px) {
+    .acts.docked { left: calc(50% - 10.5rem); }
+    .acts.docked ~ .status { bottom: calc(var(--gap) + 5rem); }
+  }
   @container (max-width: 699px) {
+    .rail.selecting { justify-content: flex-start; }
+    .rail.selecting .toggle { margin-left: auto; }
     .acts { left: 0.5rem; right: 0.5rem; transform: none; bottom: calc(5.25rem + env(safe-area-inset-bottom, 0px)); justify-content: space-between; }
     .acts .b { min-width: 2.75rem; flex: 1; }
     .acts .separator { display: none; }
     .acts ~ .status { max-width: 60%; bottom: calc(10rem + env(safe-area-inset-bottom, 0px)); }
     .acts ~ .view { bottom: calc(10rem + env(safe-area-inset-bottom, 0px)); }
     .panel.parts { max-height: 50%; overflow-y: auto; }
-    .part-list { max-height: none; flex: none; overflow: visible; }
+    .part-list { max-height: 9.75rem; }
     .b.parts-button { padding: 0 0.25rem; }
   }
   @container (max-width: 400px) {
-    .rail .caption { display: none; }
+    .rail .caption, .tray.right .separator { display: none; }
     .rail .b, .rail.named .b { min-width: 2.75rem; }
   }
   :host([data-theme='contrast']) :is(.part[aria-selected='true']) { box-shadow: inset 0 0 0 3px var(--pencil); }

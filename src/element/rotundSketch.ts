@@ -191,6 +191,7 @@ export class RotundSketch extends SketchApi {
     this.dataset.backend = 'none';
     this.scene.fail(error);
     const told = !this.fail(error);
+    this.session.said = WORDS.noPicture;
     this.session.noPicture = { reason: messageOf(error), told, retry: () => this.#lookAgain() };
     if (this.session.notice?.text === WORDS.lost) this.session.notice = null;
     this.requestUpdate();

@@ -31,7 +31,7 @@ interface SceneModule {
 /** So many losses … */
 const LOSSES = 3;
 /** … within so many ms, and the back end is not tried again. */
-const WITHIN = 30_000;
+const WITHIN = 60_000;
 /** ms: after a loss the browser may need a moment until it hands out graphics again. */
 const PAUSES = [0, 500, 1500] as const;
 

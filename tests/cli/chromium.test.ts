@@ -11,9 +11,12 @@ describe('chromium', () => {
     expect(QUIET).toEqual(scripts.QUIET);
   });
 
-  it.each([undefined, process.execPath, '/nowhere/chromium'])('is found in the same place, CHROMIUM = %s', (named) => {
-    vi.stubEnv('CHROMIUM', named);
-    expect(findChromium()).toBe(scripts.findChromium());
-    if (named) expect(findChromium()).toBe(named === process.execPath ? named : null);
-  });
+  it.each([undefined, process.execPath, '/nowhere/chromium'])(
+    'is found in the same place, CHROMIUM = %s',
+    (named) => {
+      vi.stubEnv('CHROMIUM', named);
+      expect(findChromium()).toBe(scripts.findChromium());
+      if (named) expect(findChromium()).toBe(named === process.execPath ? named : null);
+    },
+  );
 });

@@ -74,7 +74,8 @@ const WRONG: readonly (readonly [args: string, ...names: string[]])[] = [
   ['render broken.rotund -o x.png', 'broken.rotund'],
 ];
 
-describe('wrong usage', () => {
+// A process each, on a machine that may be busy.
+describe('wrong usage', { timeout: 60_000 }, () => {
   it.each(WRONG)('rotund %s', async (line, ...names) => {
     const before = program.list();
     const { status, stdout, stderr } = await run(line ? line.split(' ') : []);
@@ -101,7 +102,7 @@ describe('wrong usage', () => {
   });
 });
 
-describe('what is printed', () => {
+describe('what is printed', { timeout: 60_000 }, () => {
   it('says what is in a drawing, as one line', async () => {
     const { status, stdout, stderr } = await run(['info', 'ball.rotund']);
     expect([status, stderr]).toEqual([0, '']);

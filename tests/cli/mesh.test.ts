@@ -2,6 +2,7 @@
 import { lstatSync, mkdirSync, readFileSync, symlinkSync } from 'node:fs';
 import { join } from 'node:path';
 import { describe, expect, it } from 'vitest';
+import type { Command } from '../../src/document/command/index.ts';
 import { exporters, modelOf } from '../../src/export/index.ts';
 import { BALL, documentOf, drawingFile, PIPE, RING, scriptFile, UNFINISHED } from './drawings.ts';
 import { useProgram } from './program.ts';
@@ -21,7 +22,8 @@ async function result(...args: readonly string[]) {
 
 const near = (found: number, expected: number): number => Math.abs(found / expected - 1);
 
-describe('rotund mesh', () => {
+// A process each, on a machine that may be busy.
+describe('rotund mesh', { timeout: 60_000 }, () => {
   it('measures a ball', async () => {
     put('ball.rotund', drawingFile(BALL));
     const found = await result('mesh', 'ball.rotund', '-o', 'ball.stl');
@@ -50,7 +52,10 @@ describe('rotund mesh', () => {
     expect(found.parts.map((part: { genus: number | null }) => part.genus)).toEqual([0, 1, null]);
     expect(found).toMatchObject({ watertight: false, genus: null });
     for (const key of ['vertices', 'triangles', 'volume', 'area']) {
-      const sum = found.parts.reduce((before: number, part: Record<string, number>) => before + part[key]!, 0);
+      const sum = found.parts.reduce(
+        (before: number, part: Record<string, number>) => before + part[key]!,
+        0,
+      );
       expect(near(found[key], sum)).toBeLessThan(1e-12);
     }
   });
@@ -78,7 +83,16 @@ describe('rotund mesh', () => {
     const coarse = await result('mesh', 'ball.rotund', '-o', 'x.stl', '--surface-resolution', '16');
     const fine = await result('mesh', 'ball.rotund', '-o', 'x.stl', '--surface-resolution', '128x32');
     const same = await result('mesh', 'ball.rotund', '-o', 'x.stl', '--surface-resolution=64x64');
-    const usual = await result('mesh', 'ball.rotund', '-o', 'y.stl', '--resolution', '256', '--backend', 'cpu');
+    const usual = await result(
+      'mesh',
+      'ball.rotund',
+      '-o',
+      'y.stl',
+      '--resolution',
+      '256',
+      '--backend',
+      'cpu',
+    );
     expect(coarse.triangles).toBeLessThan(usual.triangles / 8);
     expect(near(fine.triangles, 2 * 128 * 32)).toBeLessThan(0.1);
     expect(same.triangles).toBe(usual.triangles);
@@ -86,8 +100,8 @@ describe('rotund mesh', () => {
   });
 
   it('leaves out the unfinished form and hidden parts, and says so', async () => {
-    const hide = { type: 'showParts', ids: ['part-2'], shown: false } as const;
-    const file = put('left.rotund', drawingFile([...BALL, ...RING, hide as never, UNFINISHED]));
+    const hide = { type: 'showParts', ids: ['part-2'], visible: false } as const;
+    const file = put('left.rotund', drawingFile([...BALL, ...RING, hide, UNFINISHED]));
     const { stdout, stderr } = await run(['mesh', file, '-o', 'left.stl']);
     expect(JSON.parse(stdout).parts).toHaveLength(1);
     expect(stderr).toContain('unfinished form (1 stroke)');
@@ -96,8 +110,8 @@ describe('rotund mesh', () => {
 
   it('quotes names so that no terminal obeys them', async () => {
     const rename = { type: 'renamePart', id: 'part-1', name: 'a\u001b[31mb\u009bc' } as const;
-    const hide = { type: 'showParts', ids: ['part-1'], shown: false } as const;
-    const file = put('escape.rotund', drawingFile([...BALL, rename as never, hide as never, ...RING]));
+    const hide = { type: 'showParts', ids: ['part-1'], visible: false } as const;
+    const file = put('escape.rotund', drawingFile([...BALL, rename, hide, ...RING]));
     const { stderr, stdout } = await run(['mesh', file, '-o', 'escape.stl']);
     // biome-ignore lint/suspicious/noControlCharactersInRegex: these are what must not be there
     expect(stderr + stdout).not.toMatch(/[\u0000-\u0009\u000b-\u001f\u007f-\u009f]/);
@@ -126,10 +140,10 @@ describe('rotund mesh', () => {
     expect(program.list()).toEqual(before);
   });
 
-  const empty: readonly (readonly [string, readonly never[] | typeof BALL, string])[] = [
+  const empty: readonly (readonly [string, readonly Command[], string])[] = [
     ['no parts', [], 'no parts'],
     ['an unfinished form', [UNFINISHED], 'unfinished form'],
-    ['hidden parts', [...BALL, { type: 'showParts', ids: ['part-1'], shown: false } as never], 'hidden'],
+    ['hidden parts', [...BALL, { type: 'showParts', ids: ['part-1'], visible: false }], 'hidden'],
   ];
   it.each(empty)('refuses to export nothing: %s', async (_, commands, reason) => {
     const file = put('empty.rotund', drawingFile(commands));

@@ -1,5 +1,13 @@
 /** Output files: whole or not at all. */
-import { existsSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import {
+  existsSync,
+  mkdirSync,
+  mkdtempSync,
+  readdirSync,
+  readFileSync,
+  rmSync,
+  writeFileSync,
+} from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { afterEach, beforeEach, describe, expect, it } from 'vitest';
@@ -49,9 +57,7 @@ describe('output', () => {
 
   it('refuses the input itself, folders, and what is no file', () => {
     writeFileSync(at('in.rotund'), '');
-    expect(() => checkOutput(at('in.rotund'), at('../') + join(folder, 'in.rotund').split('/').slice(-2).join('/'))).toThrow(
-      'same file',
-    );
+    expect(() => checkOutput(at('in.rotund'), `${folder}/./in.rotund`)).toThrow('same file');
     expect(() => checkOutput(folder, '-')).toThrow('found a folder');
     if (existsSync('/dev/null')) expect(() => checkOutput('/dev/null', '-')).toThrow('device');
     expect(() => checkOutput(at('new.obj'), at('in.rotund'))).not.toThrow();

@@ -122,3 +122,30 @@ describe('fingers', () => {
     expect(log).toEqual(['orbit']);
   });
 });
+
+describe('where people may only look', () => {
+  beforeEach(() => {
+    looking = true;
+  });
+
+  for (const pointer of ['pen', 'mouse', 'touch']) {
+    it(`a drag with ${pointer} turns the view and selects nothing`, () => {
+      send('pointerdown', pointer, 1);
+      send('pointermove', pointer, 1, 150);
+      send('pointerup', pointer, 1, 150);
+      expect(log.filter((name) => name !== 'pen seen')).toEqual(['orbit']);
+    });
+
+    it(`a tap with ${pointer} selects`, () => {
+      send('pointerdown', pointer, 1);
+      send('pointerup', pointer, 1);
+      expect(log.filter((name) => name !== 'pen seen')).toEqual(['tap']);
+    });
+  }
+
+  it('the right button turns, and selects nothing', () => {
+    send('pointerdown', 'mouse', 1, 100, 2);
+    send('pointerup', 'mouse', 1, 100, 2);
+    expect(log).toEqual([]);
+  });
+});

@@ -1,0 +1,110 @@
+/** `rotund render` gives the picture that the element gives, of the size, from the side and in the style that is asked for. */
+import { execFileSync } from 'node:child_process';
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { expect, type Page, test } from '@playwright/test';
+import pixelmatch from 'pixelmatch';
+import { PNG } from 'pngjs';
+import { EMPTY_DRAWING, FRONT_VIEW } from '../../src/document/drawing.ts';
+import { serialize } from '../../src/document/serialize.ts';
+import type { Shot } from '../../src/element/shot.ts';
+import { BALL, documentOf, kept, UNFINISHED } from '../../tests/cli/drawings.ts';
+import { line } from '../../tests/document/strokes.ts';
+import { readPicture } from '../picture.ts';
+
+/** A ball with a tube of 160 mm through it, seen from above the left, 30 mm off the middle; a stroke that is not kept. */
+const TEXT = serialize({
+  ...EMPTY_DRAWING,
+  name: 'Ball',
+  document: documentOf([
+    ...BALL,
+    { type: 'setBrush', change: { radius: 5, caps: false } },
+    ...kept(line(0, 160)),
+    UNFINISHED,
+  ]),
+  view: { ...FRONT_VIEW, pivot: [30, 0, 0], rotation: [-0.2, -0.3, 0, 0.9327379], height: 260 },
+  look: { ...EMPTY_DRAWING.look, style: 'hbed-ink' },
+});
+
+let folder = '';
+test.beforeAll(() => {
+  folder = mkdtempSync(join(tmpdir(), 'rotund-render-'));
+  writeFileSync(join(folder, 'ball.rotund'), TEXT);
+});
+test.afterAll(() => rmSync(folder, { recursive: true, force: true }));
+
+function rendered(...options: readonly string[]) {
+  const out = join(folder, 'out.png');
+  const args = ['scripts/rotund.mjs', 'render', join(folder, 'ball.rotund'), '-o', out, ...options];
+  const stdout = execFileSync(process.execPath, args, {
+    encoding: 'utf8',
+    stdio: ['ignore', 'pipe', 'ignore'],
+  });
+  expect(stdout).toMatch(/^\{.*\}\n$/);
+  return { json: JSON.parse(stdout), png: readFileSync(out) };
+}
+
+async function ofElement(page: Page, shot: Shot): Promise<Buffer> {
+  await page.goto('/');
+  const base64 = await page.evaluate(
+    async ([text, wanted]) => {
+      const sketch = document.querySelector('rotund-sketch')!;
+      await sketch.load(text, { fit: false });
+      const bytes = new Uint8Array(await (await sketch.picture(wanted)).arrayBuffer());
+      let binary = '';
+      for (const byte of bytes) binary += String.fromCharCode(byte);
+      return btoa(binary);
+    },
+    [TEXT, shot] as const,
+  );
+  return Buffer.from(base64, 'base64');
+}
+
+function differing(a: Buffer, b: Buffer): number {
+  const [one, other] = [PNG.sync.read(a), PNG.sync.read(b)];
+  expect([one.width, one.height]).toEqual([other.width, other.height]);
+  return pixelmatch(one.data, other.data, undefined, one.width, one.height, { threshold: 0.05 });
+}
+
+const CASES: readonly (readonly [string, readonly string[], Shot])[] = [
+  ['as it was looked at', ['--size', '320x240'], { width: 320, height: 240 }],
+  [
+    'from a side, in a style',
+    ['--size=240x300', '--camera', 'left', '--style', 'toon', '--mode', 'mesh'],
+    { width: 240, height: 300, camera: 'left', style: 'toon' },
+  ],
+  [
+    'from angles',
+    ['--size', '256x256', '--camera', '-30,20,45', '--style', 'phong'],
+    { width: 256, height: 256, camera: { yaw: -30, pitch: 20, roll: 45 }, style: 'phong' },
+  ],
+];
+
+for (const [name, options, shot] of CASES) {
+  test(`a picture is that of the element: ${name}`, async ({ page }) => {
+    test.setTimeout(240_000);
+    const { json, png } = rendered(...options);
+    const { width, height } = shot;
+    expect(json).toMatchObject({ width, height, backend: 'WebGPU' });
+    expect(json.milliseconds).toBeGreaterThan(0);
+    const expected = await ofElement(page, shot);
+    expect(differing(png, expected)).toBeLessThan(0.001 * width! * height!);
+  });
+}
+
+test('sides are what is seen, and the whole is framed', () => {
+  test.setTimeout(240_000);
+  const { png } = rendered('--size', '400x200', '--camera', 'front', '--style', 'toon');
+  const picture = readPicture(png);
+  const paper = picture.at(3, 3);
+  const drawn = (x: number, y: number) =>
+    picture.at(x, y).some((value, k) => Math.abs(value - paper[k]!) > 60);
+  // 160 mm are eight tenths of the height, in the middle; the ball is 100 mm wide.
+  const column = Array.from({ length: 200 }, (_, y) => drawn(200, y));
+  const row = Array.from({ length: 400 }, (_, x) => drawn(x, 100));
+  const length = (line: readonly boolean[]) => line.lastIndexOf(true) - line.indexOf(true) + 1;
+  expect(Math.abs(length(column) - 160)).toBeLessThanOrEqual(4);
+  expect(Math.abs(length(row) - 100)).toBeLessThanOrEqual(4);
+  expect(Math.abs(row.indexOf(true) + row.lastIndexOf(true) - 399)).toBeLessThanOrEqual(2);
+});

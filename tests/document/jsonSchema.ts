@@ -1,0 +1,46 @@
+/** `docs/rotund.schema.json`, made from the schemas that read files. */
+import { toJsonSchema } from '@valibot/to-json-schema';
+import type { GenericSchema } from 'valibot';
+import * as v from 'valibot';
+import { command } from '../../src/document/commandSchema.ts';
+import { commands, documentFile, scriptFile } from '../../src/document/fileSchema.ts';
+import * as schemas from '../../src/document/schema.ts';
+
+const { brush, brushChange, document, draft, look, part, placement, plane, stroke, view } = schemas;
+
+/** What has a name of its own in the schema. */
+const definitions: Readonly<Record<string, GenericSchema>> = {
+  documentFile,
+  scriptFile,
+  commands,
+  command,
+  document,
+  part,
+  draft,
+  stroke,
+  brush,
+  brushChange,
+  placement,
+  plane,
+  view,
+  look,
+};
+
+/** What a JSON Schema cannot say, or says by metadata beside it. */
+const IGNORED = ['check', 'raw_check', 'raw_transform', 'transform'];
+
+export function jsonSchema(): object {
+  const { $schema, $defs, ...whole } = toJsonSchema(v.union([documentFile, scriptFile, commands]), {
+    target: 'draft-2020-12',
+    typeMode: 'input',
+    ignoreActions: IGNORED,
+    definitions: definitions as never,
+  });
+  return {
+    $schema,
+    title: 'Rotund document or script, version 1',
+    description: 'Lengths in millimetres, right-handed, y up. See format.md for what a schema cannot say.',
+    ...whole,
+    $defs,
+  };
+}

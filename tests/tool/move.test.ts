@@ -1,0 +1,206 @@
+import { describe, expect, it } from 'vitest';
+import { solids } from '../../src/document/build.ts';
+import { middleOfParts, seenParts } from '../../src/document/extent.ts';
+import { type Placement, place3 } from '../../src/math/placement.ts';
+import { cross3, dot3, length3, rotate3, scale3, sub3 } from '../../src/math/tuple.ts';
+import type { Vec2, Vec3 } from '../../src/math/vec.ts';
+import { bounds } from '../../src/mesh/measure.ts';
+import { project } from '../../src/stroke/plane.ts';
+import { footOf } from '../../src/tool/foot.ts';
+import { AXIS, grip, type Handle, penBeside } from '../../src/tool/move.ts';
+import { selecting } from '../../src/tool/select.ts';
+import { random } from '../fixtures/random.ts';
+import type { Driver } from './driver.ts';
+import { anyRotation, balls, exactBall, RADIUS, towardsViewer, tubes } from './scene.ts';
+
+const SEEDS = [1, 2, 3, 4, 5, 6];
+
+function take(hand: Driver, handle: Handle, at: Vec2 = [400, 300]): void {
+  hand.state = grip(handle, selecting);
+  hand.down(...at);
+}
+
+const carriedBy = (hand: Driver): Placement => hand.state.carried!.by;
+const middleOf = (hand: Driver): Vec3 => middleOfParts(seenParts(hand.document, hand.selection))!;
+const shown = (hand: Driver, p: Vec3): Vec2 => project(hand.view, hand.size, p)!;
+
+function expectNear(a: readonly number[], b: readonly number[], digits = 9): void {
+  a.forEach((value, i) => {
+    expect(value).toBeCloseTo(b[i]!, digits);
+  });
+}
+
+describe.each([0, 30])('in the view plane, opening %i°', (fov) => {
+  it.each(SEEDS)('parts go as far as the pen goes, from wherever one looks (seed %i)', (seed) => {
+    const hand = balls([12, -7, 20]);
+    const next = random(seed);
+    hand.view = { ...hand.view, rotation: anyRotation(seed), fov };
+    hand.select(['part-2']);
+    const middle = middleOf(hand);
+    const way: Vec2 = [200 * (next() - 0.5), 200 * (next() - 0.5)];
+    take(hand, 'view', [333, 222]);
+    hand.move(333 + way[0], 222 + way[1]);
+    const from = shown(hand, middle);
+    const to = shown(hand, place3(carriedBy(hand), middle));
+    expectNear([to[0] - from[0], to[1] - from[1]], way);
+    const { translation } = carriedBy(hand);
+    expect(dot3(translation, towardsViewer(hand.view.rotation))).toBeCloseTo(0, 9);
+  });
+});
+
+describe('along an axis', () => {
+  it.each(SEEDS)(
+    'parts stay on it, and the pen beside it moves them as its shadow would (seed %i)',
+    (seed) => {
+      const hand = balls([5, 5, 20]);
+      hand.view = { ...hand.view, rotation: anyRotation(seed) };
+      hand.select(['part-2']);
+      const middle = middleOf(hand);
+      const next = random(seed);
+      for (const handle of ['x', 'y', 'z'] as const) {
+        if (Math.abs(dot3(AXIS[handle], towardsViewer(hand.view.rotation))) > 0.98) continue;
+        take(hand, handle);
+        const way: Vec2 = [150 * (next() - 0.5), 150 * (next() - 0.5)];
+        hand.move(400 + way[0], 300 + way[1]);
+        const { translation } = carriedBy(hand);
+        expect(length3(cross3(translation, AXIS[handle]))).toBeCloseTo(0, 9);
+        const from = shown(hand, middle);
+        const to = shown(hand, place3(carriedBy(hand), middle));
+        const end = shown(hand, [0, 1, 2].map((k) => middle[k]! + AXIS[handle][k]!) as unknown as Vec3);
+        const beside = [to[0] - from[0] - way[0], to[1] - from[1] - way[1]] as const;
+        expect(beside[0] * (end[0] - from[0]) + beside[1] * (end[1] - from[1])).toBeCloseTo(0, 6);
+        hand.cancel();
+      }
+    },
+  );
+
+  it('that points at the viewer they do not run away', () => {
+    const hand = balls();
+    hand.select(['part-2']);
+    take(hand, 'z');
+    hand.move(700, 20);
+    expect(carriedBy(hand).translation).toEqual([0, 0, 0]);
+  });
+});
+
+describe('over a surface', () => {
+  it.each(SEEDS)('the foot stays on a sphere and the part looks out of it as before (seed %i)', (seed) => {
+    const next = random(seed);
+    const rotation = anyRotation(seed);
+    const hand = balls(scale3(towardsViewer(rotation), RADIUS));
+    hand.view = { ...hand.view, rotation, fov: seed % 2 ? 0 : 30 };
+    hand.surface = exactBall(hand);
+    hand.select(['part-2']);
+    const foot = footOf(hand, hand.selection, middleOf(hand))!;
+    take(hand, 'surface', [480, 380]);
+    for (let i = 0; i < 20; i++) {
+      const way: Vec2 = [100 * (next() - 0.5), 100 * (next() - 0.5)];
+      hand.move(480 + way[0], 380 + way[1]);
+      const by = carriedBy(hand);
+      const point = place3(by, foot.point);
+      expect(Math.abs(length3(point) - RADIUS)).toBeLessThan(1e-9);
+      expectNear(rotate3(by.rotation, foot.normal), scale3(point, 1 / RADIUS));
+      const from = shown(hand, foot.point);
+      const to = shown(hand, point);
+      expectNear([to[0] - from[0], to[1] - from[1]], way, 6);
+    }
+  });
+
+  it('beside it the foot goes on in the view plane through where it last lay, and comes back onto it', () => {
+    const hand = balls();
+    hand.surface = exactBall(hand);
+    hand.select(['part-2']);
+    const foot = footOf(hand, hand.selection, middleOf(hand))!;
+    take(hand, 'surface');
+    hand.move(400 + 80, 300);
+    const last = carriedBy(hand);
+    hand.move(400 + 300, 300 + 50);
+    const beside = carriedBy(hand);
+    expect(beside.rotation).toEqual(last.rotation);
+    expect(place3(beside, foot.point)[2]).toBeCloseTo(place3(last, foot.point)[2], 9);
+    expectNear(shown(hand, place3(beside, foot.point)), [700, 350], 6);
+    hand.move(400 - 40, 300);
+    expect(length3(place3(carriedBy(hand), foot.point))).toBeCloseTo(RADIUS, 9);
+  });
+
+  it('stands on the nearest point of the others, also where what is seen behind it lies elsewhere', () => {
+    // On top of the ball: behind its middle is paper.
+    const hand = balls([0, RADIUS + 6, 0]);
+    hand.surface = exactBall(hand);
+    hand.select(['part-2']);
+    const foot = footOf(hand, hand.selection, middleOf(hand))!;
+    // The ball is a mesh of 64 × 64: half a millimetre from round, at most.
+    expectNear(foot.point, [0, RADIUS, 0], 0);
+    expect(foot.normal[1]).toBeGreaterThan(0.99);
+  });
+
+  it('moves in the view plane when there is nothing else', () => {
+    const hand = tubes(0);
+    hand.select(['part-1']);
+    take(hand, 'surface');
+    hand.move(430, 300);
+    expectNear(carriedBy(hand).translation, [10, 0, 0]);
+  });
+});
+
+describe('a drag', () => {
+  it('is shown while it lasts and one undo step when it ends', () => {
+    const hand = tubes(0, 20);
+    hand.select(['part-1']);
+    const before = hand.document;
+    take(hand, 'view');
+    for (const x of [420, 440, 460]) hand.move(x, 300);
+    expect(hand.document).toBe(before);
+    const min = (document: typeof before) => bounds(solids(document)[0]!.mesh).min[0];
+    expect(min(hand.state.preview!(hand)!)).toBeCloseTo(min(before) + 20, 4);
+    hand.up();
+    expect(hand.state).toBe(selecting);
+    expect(hand.document.parts[0]!.placement.translation[0]).toBeCloseTo(20, 9);
+    expect(hand.document.parts[1]).toBe(before.parts[1]);
+    hand.undo();
+    expect(hand.document).toBe(before);
+  });
+
+  it('that is cancelled, or comes to nothing, leaves no trace', () => {
+    const hand = tubes(0);
+    hand.select(['part-1']);
+    const { history } = hand;
+    take(hand, 'view');
+    hand.up();
+    take(hand, 'view');
+    hand.move(600, 100);
+    hand.cancel();
+    expect(hand.state).toBe(selecting);
+    expect(hand.history).toBe(history);
+  });
+
+  it('leaves hidden parts where they are, and takes nothing when all are hidden', () => {
+    const hand = tubes(0, 20);
+    hand.commit([{ type: 'showParts', ids: ['part-2'], visible: false }]);
+    hand.select(['part-1', 'part-2']);
+    take(hand, 'view');
+    expect(hand.state.carried!.ids).toEqual(['part-1']);
+    hand.cancel();
+    hand.select(['part-2']);
+    take(hand, 'view');
+    expect(hand.state).toBe(selecting);
+  });
+});
+
+describe('keys', () => {
+  it.each(SEEDS)('go by whole millimetres to the right and up, or along the axis (seed %i)', (seed) => {
+    const hand = balls([3, 4, 25]);
+    hand.view = { ...hand.view, rotation: anyRotation(seed), fov: seed % 2 ? 0 : 30 };
+    hand.select(['part-2']);
+    const middle = middleOf(hand);
+    for (const handle of ['view', 'x', 'y', 'z'] as const) {
+      const axis = handle === 'view' ? null : AXIS[handle];
+      if (axis && Math.abs(dot3(axis, towardsViewer(hand.view.rotation))) > 0.95) continue;
+      take(hand, handle, penBeside(hand, handle, middle, 0, 0)!);
+      hand.move(...penBeside(hand, handle, middle, 3, 2)!);
+      const expected = axis ? scale3(axis, 5) : rotate3(hand.view.rotation, [3, 2, 0]);
+      expectNear(sub3(carriedBy(hand).translation, expected), [0, 0, 0], 6);
+      hand.cancel();
+    }
+  });
+});
