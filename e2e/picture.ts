@@ -16,7 +16,7 @@ export async function takePicture(page: Page): Promise<Picture & { readonly png:
     const sketch = document.querySelector('rotund-sketch')!;
     const hide = document.createElement('style');
     hide.id = 'picture';
-    hide.textContent = '.chrome, .hint, .notice, .ink { visibility: hidden !important; }';
+    hide.textContent = '.chrome, .hint, .notice, .ink, .gizmo { visibility: hidden !important; }';
     sketch.shadowRoot!.append(hide);
     sketch.session.wake();
     await new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));

@@ -1,8 +1,16 @@
 /** `<rotund-sketch>` in somebody’s page: what it is told by attributes, properties and methods, and what it tells. */
-import { readFileSync } from 'node:fs';
 import { expect, type Page, test } from '@playwright/test';
 import { PenDriver } from '../pen.ts';
 import { readPicture } from '../picture.ts';
+
+let problems: string[];
+
+test.beforeEach(({ page }) => {
+  problems = [];
+  page.on('pageerror', (error) => problems.push(error.message));
+});
+
+test.afterEach(() => expect(problems).toEqual([]));
 
 async function open(page: Page, markup = '<rotund-sketch></rotund-sketch>'): Promise<void> {
   await page.goto('/e2e/element/index.html');
@@ -224,8 +232,8 @@ test.describe('src', () => {
         await page.evaluate(() => document.createElement('rotund-sketch').save()),
       );
       await page.getByRole('button', { name: 'Try again' }).click();
+      await expect.poll(() => parts(page)).toBe(0);
       await expect(page.getByRole('alert')).toBeHidden();
-      expect(await parts(page)).toBe(0);
     });
   }
 
@@ -309,8 +317,6 @@ test.describe('declared', () => {
   });
 
   test('nonsense in attributes throws nothing', async ({ page }) => {
-    const problems: string[] = [];
-    page.on('pageerror', (error) => problems.push(error.message));
     await open(
       page,
       '<rotund-sketch render-style="cubist" theme="plaid" controls="some" backend="magic" quality="best" alt=""></rotund-sketch>',
@@ -322,7 +328,6 @@ test.describe('declared', () => {
       document.querySelector('rotund-sketch')!.drawing = 7 as never;
     });
     expect(await heard(page, 'error')).toHaveLength(2);
-    expect(problems).toEqual([]);
   });
 
   test('the style wins over that of a drawing and follows what a person chooses', async ({ page }) => {
@@ -518,7 +523,27 @@ test.describe('a page', () => {
   });
 });
 
-test('its own files name no host', () => {
-  const source = readFileSync('src/element/source.ts', 'utf8');
-  expect(source).not.toMatch(/https?:/);
+test('a fallback of the page stands in for the picture that no back end can draw', async ({ page }) => {
+  await page.addInitScript(() => {
+    Object.defineProperty(navigator, 'gpu', { value: undefined });
+    const { getContext } = HTMLCanvasElement.prototype;
+    HTMLCanvasElement.prototype.getContext = function (
+      this: HTMLCanvasElement,
+      ...[type, ...rest]: unknown[]
+    ) {
+      return type === '2d' ? Reflect.apply(getContext, this, [type, ...rest]) : null;
+    } as typeof getContext;
+  });
+  await open(page, '<rotund-sketch controls="none"><p slot="fallback">A pear, in words</p></rotund-sketch>');
+  await expect(page.getByText('A pear, in words')).toBeVisible();
+  await expect(page.locator('rotund-sketch')).toHaveAttribute('data-backend', 'none');
+  expect(await heard(page, 'error')).toHaveLength(1);
+  expect(await heard(page, 'ready')).toEqual([]);
+  const refused = await page.evaluate(() => {
+    const sketch = document.querySelector('rotund-sketch')!;
+    window.drawForm(sketch);
+    return sketch.picture({ width: 64, height: 64 }).catch((error: Error) => error.name);
+  });
+  expect(refused).toBe('Error');
+  expect(await parts(page)).toBe(2);
 });

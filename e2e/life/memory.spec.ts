@@ -53,7 +53,7 @@ test('50 elements beside one that stays leave its device as it was', async ({ pa
   }
   expect(await page.evaluate(() => window.keeper.dataset.backend)).toBe('WebGPU');
   // the keeper's own, and the last one, which the engine may still be holding in its hand
-  expect(await scenesInMemory(page)).toBeLessThanOrEqual(2);
+  await expect.poll(() => scenesInMemory(page)).toBeLessThanOrEqual(2);
   await page.evaluate(() => window.unmount(window.keeper));
   expect((await count(page)).devices).toBe(0);
   expect(serious(errors)).toEqual([]);
@@ -64,7 +64,7 @@ test('elements on WebGL2 leave no context and no object', async ({ page }) => {
   const counts = await comeAndGo(page, 20, 'webgl2');
   for (const { contexts, objects } of counts)
     expect({ contexts, objects }).toEqual({ contexts: 0, objects: 0 });
-  expect(await scenesInMemory(page)).toBeLessThanOrEqual(1);
+  await expect.poll(() => scenesInMemory(page)).toBeLessThanOrEqual(1);
   expect(serious(errors)).toEqual([]);
 });
 

@@ -7,20 +7,20 @@ import type { Command } from '../document/command/index.ts';
 import type { Document } from '../document/document.ts';
 import type { Drawing } from '../document/drawing.ts';
 import { redoable, undoable } from '../document/history.ts';
-import { STYLES, type Style } from '../document/look.ts';
+import type { Style } from '../document/look.ts';
 import { checkDrawing, FileError, parse, serialize, serializeScript } from '../document/serialize.ts';
 import type { Format, OutFile } from '../export/index.ts';
 import type { Scene } from '../scene/index.ts';
 import type { Stroke } from '../stroke/stroke.ts';
 import { Arrival } from './arrival.ts';
 import { checkedCommands, checkedIds } from './check.ts';
-import { changed, failed, messageOf, type RotundSketchEventMap, selected } from './events.ts';
-import type { Hooks, Notice, Session } from './session.ts';
+import { Declared, type DeclaredHost } from './declared.ts';
+import { changed, failed, type RotundSketchEventMap, selected } from './events.ts';
+import type { Hooks, Session } from './session.ts';
 import { pictureOptions, pngOf, type Shot } from './shot.ts';
-import { named, Source } from './source.ts';
+import { named } from './source.ts';
 import { type StrokeInput, strokeOf } from './strokeInput.ts';
 import type { Theme } from './theme.ts';
-import { WORDS } from './words.ts';
 
 export interface LoadOptions {
   /** what messages call it, and the drawing’s name where it has none of its own */
@@ -119,15 +119,10 @@ export abstract class SketchApi extends LitElement {
    * @internal
    */
   protected readonly scene = new Arrival<Scene>();
-  readonly #source = new Source({
-    opened: (drawing) => this.#begin(drawing),
-    failed: (error) => this.#sourceFailed(error),
-  });
-  /** the style last taken from the attribute or given to it */
-  #style: Style | null = null;
-  #readyDue = false;
-  /** that `src` could not be opened */
-  #notice: Notice | null = null;
+  /** @internal */
+  protected readonly declared = new Declared(this.#declaredHost());
+  /** ends with the loads before: the last one that is asked for is the one that stays */
+  #turn: Promise<unknown> = Promise.resolve();
 
   constructor() {
     super();
@@ -156,7 +151,7 @@ export abstract class SketchApi extends LitElement {
 
   set drawing(value: Drawing) {
     try {
-      this.#begin(checkDrawing(value));
+      this.declared.begin(checkDrawing(value));
     } catch (error) {
       this.fail(error);
     }
@@ -182,9 +177,14 @@ export abstract class SketchApi extends LitElement {
    * a FileError that names the place; the open drawing stays then.
    */
   async load(source: string | Blob | Drawing, { name, fit = true }: LoadOptions = {}): Promise<void> {
-    const drawing = await read(source, name);
-    this.#source.close();
-    this.session.open(this.#styled(drawing), { fit });
+    const reading = read(source, name);
+    const turn = Promise.allSettled([this.#turn, reading]).then(async () => {
+      const drawing = await reading;
+      this.declared.close();
+      this.session.open(this.declared.styled(drawing), { fit });
+    });
+    this.#turn = turn.catch(() => {});
+    await turn;
   }
 
   /** The text of a `.rotund` file. */
@@ -242,7 +242,7 @@ export abstract class SketchApi extends LitElement {
   /** A PNG of exactly this size, of the kept parts, nothing selected; waits for `src` and for the scene. */
   async picture(shot: Shot = {}): Promise<Blob> {
     await this.updateComplete;
-    while (this.#source.busy) await this.#source.settled;
+    await this.declared.settled();
     if (!this.isConnected)
       throw new Error('rotund-sketch: there is a picture only of an element that is on a page.');
     const scene = await this.scene.get();
@@ -291,95 +291,57 @@ export abstract class SketchApi extends LitElement {
     return this.dispatchEvent(failed(error));
   }
 
-  /**
-   * Once a scene: when the first picture with all that the page declared is there, or would be if it were seen.
-   * @internal
-   */
-  protected sayReady(): void {
-    if (!this.#readyDue || !this.session.scene || this.#source.busy) return;
-    this.#readyDue = false;
-    this.pictured = true;
-    this.dispatchEvent(new Event('ready'));
-  }
-
-  /** @internal */
-  protected sceneCame(scene: Scene): void {
-    this.#readyDue = true;
-    this.scene.come(scene);
-    this.#announce();
-  }
-
-  /** The next frame says that it is ready; where nobody looks there is none. */
-  #announce(): void {
-    if (this.session.asleep) this.sayReady();
-    else this.session.wake();
+  #declaredHost(): DeclaredHost {
+    const sketch = this;
+    return {
+      get session() {
+        return sketch.session;
+      },
+      get isConnected() {
+        return sketch.isConnected;
+      },
+      get src() {
+        return sketch.src;
+      },
+      get renderStyle() {
+        return sketch.renderStyle;
+      },
+      set renderStyle(style) {
+        sketch.renderStyle = style;
+      },
+      fail: (error) => this.fail(error),
+      ready: () => {
+        this.pictured = true;
+        this.dispatchEvent(new Event('ready'));
+      },
+    };
   }
 
   /** @internal */
   override connectedCallback(): void {
     super.connectedCallback();
-    this.#source.resume();
+    this.declared.resume();
   }
 
   /** @internal */
   override disconnectedCallback(): void {
     super.disconnectedCallback();
-    this.#source.close();
+    this.declared.close();
     this.scene.fail(new Error('rotund-sketch: it left the page.'));
   }
 
   /** @internal */
   protected override willUpdate(changes: PropertyValues): void {
-    if (changes.has('renderStyle')) this.#takeStyle();
+    if (changes.has('renderStyle')) this.declared.takeStyle();
     if (changes.has('readOnly') && this.readOnly) this.session.cancel();
-    const { style } = this.session.look;
-    if (this.#style && style !== this.#style) {
-      this.#style = style;
-      this.renderStyle = style;
-    }
+    this.declared.followStyle();
   }
 
   /** @internal */
   protected override updated(changes: PropertyValues): void {
-    if (changes.has('src')) this.#source.open(this.src, this.isConnected);
-  }
-
-  #takeStyle(): void {
-    const wanted = this.renderStyle;
-    this.#style = known(wanted);
-    if (this.#style) this.session.setLook({ style: this.#style });
-    else if (wanted !== null) {
-      const expected = `expected one of ${STYLES.join(', ')}, found ${JSON.stringify(wanted)}`;
-      this.fail(new FileError('rotund-sketch', 'render-style', expected));
-    }
-  }
-
-  /** What the page declares: its first drawing is no deed that undo could take back. */
-  #begin(drawing: Drawing): void {
-    const { past, future } = this.session.history;
-    const fresh = past.length + future.length === 0 && !this.session.state.wet;
-    this.session.open(this.#styled(drawing), { fresh });
-    if (this.session.notice === this.#notice) this.session.notice = null;
-    this.#announce();
-  }
-
-  #styled(drawing: Drawing): Drawing {
-    const style = known(this.renderStyle);
-    return style ? { ...drawing, look: { ...drawing.look, style } } : drawing;
-  }
-
-  #sourceFailed(error: unknown): void {
-    if (this.fail(error)) {
-      const again = () => this.#source.open(this.src, this.isConnected);
-      this.#notice = { text: messageOf(error), actions: [{ label: WORDS.tryAgain, run: again }] };
-      this.session.notice = this.#notice;
-      this.session.update();
-    }
-    this.#announce();
+    if (changes.has('src')) this.declared.fetch();
   }
 }
-
-const known = (style: string | null): Style | null => STYLES.find((name) => name === style) ?? null;
 
 async function read(source: unknown, name?: string): Promise<Drawing> {
   if (typeof source !== 'string' && !(source instanceof Blob)) return checkDrawing(source);

@@ -58,6 +58,8 @@ function nameField(session: Session, actions: Actions): TemplateResult {
     // Escape leaves the name as it was; Enter takes it.
     if (event.key === 'Escape') field(event).value = session.name;
     if (event.key !== 'Enter') return;
+    // Else it would press the button that has the focus next.
+    event.preventDefault();
     field(event).blur();
     actions.dismiss();
   };

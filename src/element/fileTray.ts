@@ -19,6 +19,6 @@ function named({ name }: Session, actions: Actions): TemplateResult {
   const word = FILE_WORDS.tray[files.kept];
   return html`<button class="b title" aria-expanded=${open === 'file'} @click=${() => actions.toggle('file')}>
     <b>${name || FILE_WORDS.untitled}</b> <small class=${files.kept}>${word}</small>${icon('down', 20)}
-    <span class="hidden">: name, save, export</span>
+    <span class="hidden">: file</span>
   </button>`;
 }

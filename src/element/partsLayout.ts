@@ -60,6 +60,7 @@ export const partsLayout = css`
   .name-field { display: flex; align-items: center; gap: 0.75rem; padding: 0 0.5rem; font: 600 0.8125rem/1.125rem var(--font); color: var(--ink-2); }
   .name-field input { flex: 1; min-width: 0; height: 2.75rem; padding: 0 0.75rem; border: 1.5px solid var(--edge); border-radius: 0.75rem; background: var(--surface); color: var(--ink); font: 600 0.9375rem/1.3125rem var(--font); user-select: text; -webkit-user-select: text; }
 
+  .chip { width: max-content; }
   .chip .what.problem { display: flex; gap: 0.5rem; align-items: center; }
   .chip .problem .icon { color: var(--warn); }
 
@@ -72,6 +73,7 @@ export const partsLayout = css`
     .acts.docked ~ .status { bottom: calc(var(--gap) + 5rem); }
   }
   @container (max-width: 699px) {
+    .chip { width: auto; }
     .rail.selecting { justify-content: flex-start; }
     .rail.selecting .toggle { margin-left: auto; }
     .acts { left: 0.5rem; right: 0.5rem; transform: none; bottom: calc(5.25rem + env(safe-area-inset-bottom, 0px)); justify-content: space-between; }

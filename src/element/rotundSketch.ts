@@ -6,10 +6,9 @@ import { html, nothing, type PropertyDeclarations, type PropertyValues, type Tem
 import { draftIsWhole, draftSolids } from '../document/build.ts';
 import type { Scene } from '../scene/index.ts';
 import { lineColour, PAPER_COLOUR, pencilColour } from '../scene/look.ts';
-import type { Pen } from '../tool/tool.ts';
 import { actionsBar } from './actionsBar.ts';
 import { SketchApi } from './api.ts';
-import { chip, meter, notice, type PanelName, rail, roundRadius, status, topBar } from './controls.ts';
+import { chip, meter, notice, type PanelName, rail, status, topBar } from './controls.ts';
 import { dropVeil } from './dropVeil.ts';
 import { messageOf } from './events.ts';
 import { fileLayout } from './fileLayout.ts';
@@ -17,22 +16,21 @@ import { Files } from './files.ts';
 import { fileTray } from './fileTray.ts';
 import { gallery } from './gallery.ts';
 import { gizmo } from './gizmo.ts';
+import { Hands } from './hands.ts';
 import { hint } from './hint.ts';
-import { press } from './keys.ts';
 import { layout } from './layout.ts';
 import { noPicture, noPictureStyle } from './noPicture.ts';
 import { PanelFocus } from './panelFocus.ts';
 import { panel } from './panels.ts';
 import { partsLayout } from './partsLayout.ts';
 import { chipPlace, type Place, screenBox, strokesBox } from './place.ts';
-import { PointerRouter, type PointerTarget } from './pointer.ts';
+import { PointerRouter } from './pointer.ts';
 import { SceneLife, type SceneOwner } from './sceneLife.ts';
-import { Session, TOOLS } from './session.ts';
+import { Session } from './session.ts';
 import { startLayout } from './startLayout.ts';
-import { stepBack } from './stepBack.ts';
 import { PAPER_OF, reducedMotion, themeOf, watchPixelRatio, watchSystem } from './theme.ts';
 import { tokens } from './tokens.ts';
-import { type BallActions, viewBall } from './viewBall.ts';
+import { viewBall } from './viewBall.ts';
 import { drawInk } from './wetInk.ts';
 import { PART_WORDS, WORDS } from './words.ts';
 
@@ -71,13 +69,12 @@ export class RotundSketch extends SketchApi {
   });
   /** @internal */
   readonly files = new Files(this);
+  readonly #hands = new Hands(this);
   readonly #panelFocus = new PanelFocus();
   readonly #life = new SceneLife(this.#sceneOwner());
   #router: PointerRouter | null = null;
   #sizes: ResizeObserver | null = null;
   #seen: IntersectionObserver | null = null;
-  #predicted: readonly Pen[] = [];
-  #penSeen = false;
   #media: AbortController | null = null;
   #viewKey = '';
 
@@ -87,6 +84,8 @@ export class RotundSketch extends SketchApi {
     this.gallery = null;
     this.open = null;
     this.fingersDraw = true;
+    // There is nothing to draw on yet.
+    this.session.asleep = true;
   }
 
   // ── life ────────────────────────────────────────────────────────────────────────────────────────────
@@ -98,7 +97,7 @@ export class RotundSketch extends SketchApi {
     const { signal } = this.#media;
     watchSystem(() => this.#adapt(), signal);
     watchPixelRatio(() => this.#resize(), signal);
-    this.addEventListener('keydown', (event) => this.#key(event), { signal });
+    this.addEventListener('keydown', (event) => this.#hands.key(event), { signal });
     if (this.hasUpdated) this.#start();
   }
 
@@ -113,12 +112,13 @@ export class RotundSketch extends SketchApi {
     super.disconnectedCallback();
     this.#life.close();
     this.session.cancel();
-    this.#predicted = [];
+    this.#hands.rest();
     this.#media?.abort();
     this.#router?.dispose();
     this.#router = null;
     this.#sizes?.disconnect();
     this.#seen?.disconnect();
+    this.session.asleep = true;
     this.session.detach();
   }
 
@@ -130,13 +130,14 @@ export class RotundSketch extends SketchApi {
 
   #start(): void {
     const stage = this.#find<HTMLElement>('.stage');
-    this.#router = new PointerRouter(stage, this.#pointerTarget());
+    this.#router = new PointerRouter(stage, this.#hands.target());
     this.#sizes = new ResizeObserver(() => this.#resize());
     this.#sizes.observe(stage);
     this.#seen = new IntersectionObserver((seen) => this.#see(seen.at(-1)?.isIntersecting ?? true));
     this.#seen.observe(this);
     this.#adapt();
     this.#resize();
+    this.session.asleep = false;
     this.scene.go();
     void this.#life.open();
   }
@@ -170,13 +171,14 @@ export class RotundSketch extends SketchApi {
     if (session.notice?.text === WORDS.lost) session.notice = null;
     this.#adapt();
     this.#resize();
-    this.sceneCame(scene);
+    this.scene.come(scene);
+    this.declared.sceneCame();
   }
 
   /** Off the screen, or not displayed: no frames. */
   #see(seen: boolean): void {
     this.session.asleep = !seen;
-    if (!seen) this.sayReady();
+    if (!seen) this.declared.sayReady();
   }
 
   #lose(): void {
@@ -247,7 +249,7 @@ export class RotundSketch extends SketchApi {
         ${actionsBar(session, this)} ${chip(session, this)}`,
     };
     return html`<div class="app">
-      <div class="stage ${this.#hand}" part="stage" role=${this.readOnly ? 'img' : 'application'}
+      <div class="stage ${this.#cursor}" part="stage" role=${this.readOnly ? 'img' : 'application'}
         tabindex="0" aria-label=${this.#label()} aria-describedby=${this.#bare ? nothing : 'keys'}>
         <canvas class="picture" part="picture"></canvas>
         <canvas class="ink"></canvas>
@@ -258,7 +260,7 @@ export class RotundSketch extends SketchApi {
   }
 
   /** What the cursor says. */
-  get #hand(): string {
+  get #cursor(): string {
     if (this.readOnly) return 'looking';
     return this.session.tool === 'select' ? 'selecting' : '';
   }
@@ -273,15 +275,19 @@ export class RotundSketch extends SketchApi {
     const shown = !readOnly || (this.open !== null && LOOKING_PANELS.includes(this.open));
     return html`<span id="keys" class="hidden">Press ? for keys and gestures.</span>
       ${readOnly ? nothing : before} ${topBar(session, this)} ${readOnly ? nothing : after} ${status(session)}
-      ${viewBall(session.view, this.#ballActions())} ${notice(session)}
-      ${noPicture(session, this, readOnly)} ${shown ? panel(session, this) : nothing} ${this.files.over ? dropVeil() : nothing}`;
+      ${viewBall(session.view, this.#hands.ball())} ${notice(session)}
+      ${this.#hasFallback ? nothing : noPicture(session, this, readOnly)} ${shown ? panel(session, this) : nothing} ${this.files.over ? dropVeil() : nothing}`;
   }
 
   /** What the page gave to be seen until there is a picture, or when there is none. */
   #insteadOfPicture(): TemplateResult | typeof nothing {
-    if (this.dataset.backend === 'none')
-      return html`<div class="instead"><slot name="fallback"></slot></div>`;
+    if (this.session.noPicture) return html`<div class="instead"><slot name="fallback"></slot></div>`;
     return this.pictured ? nothing : html`<div class="instead"><slot name="poster"></slot></div>`;
+  }
+
+  /** The page has its own words for having no picture. */
+  get #hasFallback(): boolean {
+    return [...this.children].some(({ slot }) => slot === 'fallback');
   }
 
   #label(): string {
@@ -300,16 +306,17 @@ export class RotundSketch extends SketchApi {
 
   /** After each frame: the ink over it, and what hangs on the camera. */
   #drawn(): void {
-    this.#drawInk();
+    this.drawInk();
     const { view, state } = this.session;
-    this.sayReady();
+    this.declared.sayReady();
     const key = JSON.stringify([view, state.carried?.by]);
     if (key === this.#viewKey) return;
     this.#viewKey = key;
     this.requestUpdate();
   }
 
-  #drawInk(): void {
+  /** @internal */
+  drawInk(): void {
     const { background } = this.session.look;
     drawInk(
       this.#find<HTMLCanvasElement>('.ink'),
@@ -320,7 +327,7 @@ export class RotundSketch extends SketchApi {
         paper: PAPER_COLOUR[background],
         font: getComputedStyle(this).fontFamily,
       },
-      this.#predicted,
+      this.#hands.predicted,
     );
   }
 
@@ -337,118 +344,6 @@ export class RotundSketch extends SketchApi {
       : strokesBox(document.draft.strokes, view, size);
     const middle = { left: size.width / 2, right: size.width / 2, top: 80, bottom: 80 };
     return chipPlace(box ?? middle, size);
-  }
-
-  // ── hands ───────────────────────────────────────────────────────────────────────────────────────────
-
-  #pointerTarget(): PointerTarget {
-    const { session } = this;
-    const ended = () => {
-      this.#predicted = [];
-      stepBack(this.renderRoot, null);
-    };
-    return {
-      down: (pen) => {
-        const stays = this.open === 'settings' || (this.open === 'parts' && session.tool === 'select');
-        if (this.open && !stays) this.open = null;
-        session.down(pen);
-        this.#drawInk();
-      },
-      move: (pens, predicted) => {
-        this.#predicted = predicted;
-        session.move(pens);
-        // At once, not with the frame: ink waits for nothing.
-        this.#drawInk();
-        stepBack(this.renderRoot, pens.at(-1) ?? null);
-      },
-      up: () => {
-        ended();
-        session.up();
-      },
-      cancel: () => {
-        ended();
-        session.cancel();
-      },
-      orbit: (dx, dy) => session.camera.orbit(dx, dy),
-      pan: (dx, dy) => session.camera.pan(dx, dy),
-      roll: (angle) => session.camera.roll(angle),
-      zoom: (factor, x, y) => session.camera.zoom(factor, x, y),
-      focus: () => this.#focus(),
-      undo: () => this.readOnly || session.undo(),
-      redo: () => this.readOnly || session.redo(),
-      tap: (pen) => this.#tap(pen),
-      looking: () => this.readOnly,
-      penSeen: () => this.#seePen(),
-      fingersDraw: () => this.fingersDraw,
-    };
-  }
-
-  /** Where a finger or the pen only turns the view, a tap takes the part under it. */
-  #tap(pen: Pen): void {
-    const { session } = this;
-    if (!this.readOnly && session.tool !== 'select') return;
-    session.begin(TOOLS.select);
-    session.down(pen);
-    session.up();
-    session.begin(session.idle);
-  }
-
-  #focus(): void {
-    const { camera, selection, tool } = this.session;
-    if (tool === 'select' && selection.length > 0) camera.show(selection);
-    else camera.showAll();
-  }
-
-  #seePen(): void {
-    if (this.#penSeen || this.readOnly) return;
-    this.#penSeen = true;
-    const touch = navigator.maxTouchPoints > 0;
-    this.fingersDraw = false;
-    if (!touch) return;
-    this.session.notice = {
-      text: WORDS.penFound,
-      actions: [{ label: WORDS.letFingersDraw, run: () => this.setFingersDraw(true) }],
-    };
-  }
-
-  #ballActions(): BallActions {
-    const { session } = this;
-    return {
-      orbit: (dx, dy) => session.camera.orbit(dx, dy),
-      face: (axis) => session.camera.face(axis),
-      reset: () => session.camera.reset(),
-    };
-  }
-
-  #key(event: KeyboardEvent): void {
-    const origin = event.composedPath()[0] as HTMLElement;
-    if (origin.matches?.('input') && event.key !== 'Escape') {
-      if (!(event.ctrlKey || event.metaKey) || !/^[so]$/i.test(event.key)) return;
-      // What was typed is taken before it is saved.
-      origin.blur();
-    }
-    // Enter and Space press the button that has the focus; letters are still hot keys there.
-    if (origin.matches?.('button') && (event.key === 'Enter' || event.key === ' ')) return;
-    // A panel that has the focus is what Escape is meant for.
-    if (event.key === 'Escape' && origin.closest?.('.panel')) {
-      this.dismiss();
-      return;
-    }
-    const handled = press(event, this.session, {
-      stepRadius: (direction) => this.#stepRadius(direction),
-      toggleHelp: () => this.toggle('help'),
-      close: () => this.dismiss(),
-      readOnly: this.readOnly,
-      save: (as) => void this.files.saving.save(as),
-      openFile: () => void this.files.opening.choose(),
-    });
-    if (handled) event.preventDefault();
-  }
-
-  #stepRadius(direction: 1 | -1): void {
-    const { radius } = this.document.brush;
-    const step = radius + direction * (radius < 10 || (radius === 10 && direction < 0) ? 0.5 : 1);
-    this.setRadius(roundRadius(step), true);
   }
 
   // ── what the controls ask for ───────────────────────────────────────────────────────────────────────

@@ -493,7 +493,9 @@ export class Session implements Bench, Viewport {
   #build(shown: Document): { solid: Solid; preview: boolean }[] {
     try {
       const kept = solids(shown).map((solid) => ({ solid, preview: false }));
-      return [...kept, ...draftSolids(shown).map((solid) => ({ solid, preview: true }))];
+      const draft = draftSolids(shown).map((solid) => ({ solid, preview: true }));
+      // What encloses nothing is no mesh to draw.
+      return [...kept, ...draft].filter(({ solid }) => solid.mesh.indices.length > 0);
     } catch (error) {
       // A surface that cannot be built must not take the drawing with it.
       console.error(error);

@@ -56,11 +56,15 @@ export class Source {
 }
 
 async function fetched(address: string, signal: AbortSignal): Promise<string> {
-  const answer = await fetch(new URL(address, document.baseURI), { signal }).catch((error) => {
-    throw signal.aborted ? error : new FileError(address, '', 'could not be fetched');
-  });
-  if (!answer.ok) throw new FileError(address, '', `the server answers ${answer.status}, not with a drawing`);
-  return answer.text();
+  const refused = (what: string) => new FileError(address, '', what);
+  if (!URL.canParse(address, document.baseURI)) throw refused('is no address');
+  try {
+    const answer = await fetch(new URL(address, document.baseURI), { signal });
+    if (answer.ok) return await answer.text();
+    throw refused(`the server answers ${answer.status}, not with a drawing`);
+  } catch (error) {
+    throw signal.aborted || error instanceof FileError ? error : refused('could not be fetched');
+  }
 }
 
 /** The last step of an address, as people wrote it; messages and the drawing’s name come from it. */

@@ -50,6 +50,8 @@ const MOVE = 0.36;
 const TURN = 2 * Math.PI;
 /** radians a press of an arrow key */
 const STEP = Math.PI / 12;
+/** how far a rotation's squared length may be from 1 */
+const UNIT = 1e-12;
 /** A screen-parallel up: how far right may leave the horizon and still count as level. */
 const LEVEL = 1e-9;
 
@@ -240,7 +242,10 @@ export class CameraRig {
     // Straight up or down the position does not tell the heading; right always does.
     if (this.camera.up.y === 1) this.#controls.rotateAzimuthTo(Math.atan2(-right[2], right[0]), false);
     this.#controls.update(0);
-    this.camera.quaternion.set(...view.rotation).normalize();
+    const { quaternion } = this.camera;
+    quaternion.set(...view.rotation);
+    // What is a rotation already keeps its bits: a view that is kept and brought back is the very same.
+    if (Math.abs(quaternion.lengthSq() - 1) > UNIT) quaternion.normalize();
     this.#exact = { ...view, rotation: this.camera.quaternion.toArray() as unknown as Quat };
     this.#project();
   }

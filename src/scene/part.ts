@@ -1,10 +1,15 @@
 /**
  * Items of the document → what three draws. An item's geometry is uploaded once and shared by its mesh in every
  * pass; items are told apart by id and compared by reference, since documents never change in place.
+ *
+ * three keeps pipelines and buffers of its own for every mesh until it is told that the mesh has gone; forgetting a
+ * mesh leaks them, and with its last mesh a pipeline goes too. So a mesh outlives its geometry: one set of them is
+ * kept for the next part, the others are told goodbye.
  */
 import {
   BufferAttribute,
   BufferGeometry,
+  type EventDispatcher,
   type Material,
   Sphere,
   Mesh as ThreeMesh,
@@ -25,11 +30,15 @@ export interface SceneItem {
   readonly preview: boolean;
 }
 
-export interface Part {
+export interface Part extends Meshes {
   readonly item: SceneItem;
   readonly geometry: BufferGeometry;
-  /** its meshes in all the passes */
-  readonly meshes: readonly ThreeMesh[];
+}
+
+/** What three draws of one part. */
+interface Meshes {
+  /** in all the passes, and where each belongs */
+  readonly meshes: ReadonlyMap<ThreeMesh, ThreeScene>;
   /** those of the colour pass; a preview has none */
   readonly fill: ThreeMesh | null;
   readonly wire: ThreeMesh | null;
@@ -58,6 +67,8 @@ export class Parts {
   readonly sphere = new Sphere(new Vector3(), 0);
   readonly #parts = new Map<string, Part>();
   readonly #materials: PartMaterials;
+  /** meshes without a part, of kept ones and of previews */
+  readonly #spare = new Map<'kept' | 'preview', Meshes>();
   #fill: Material;
   #wireframe = false;
   #selected: ReadonlySet<string> = new Set();
@@ -120,6 +131,8 @@ export class Parts {
 
   dispose(): void {
     this.sync([]);
+    for (const { meshes } of this.#spare.values()) end(meshes);
+    this.#spare.clear();
   }
 
   #put(item: SceneItem): boolean {
@@ -130,8 +143,14 @@ export class Parts {
     }
     if (old) this.#remove(old);
     const geometry = toGeometry(item);
-    const part = { item, geometry, ...(item.preview ? this.#lightly(geometry) : this.#fully(geometry)) };
-    for (const mesh of part.meshes) mesh.name = item.id;
+    const part = { item, geometry, ...this.#meshes(item.preview ? 'preview' : 'kept') };
+    for (const [mesh, scene] of part.meshes) {
+      mesh.geometry = geometry;
+      mesh.name = item.id;
+      scene.add(mesh);
+    }
+    if (part.fill) part.fill.material = this.#fill;
+    if (part.wire) part.wire.visible = this.#wireframe;
     this.#parts.set(item.id, part);
     this.#recolour(part, item);
     this.#mark(part);
@@ -147,38 +166,51 @@ export class Parts {
     mask.renderOrder = selected ? MASK_ORDER.seen : MASK_ORDER.others;
   }
 
-  #fully(geometry: BufferGeometry): Omit<Part, 'item' | 'geometry'> {
-    const line = add(this.lines, geometry, this.#materials.line);
-    const fill = add(this.colour, geometry, this.#fill);
-    const wire = add(this.colour, geometry, this.#materials.wire);
-    const occluder = add(this.preview, geometry, this.#materials.occluder);
-    wire.visible = this.#wireframe;
+  #meshes(kind: 'kept' | 'preview'): Meshes {
+    const spare = this.#spare.get(kind);
+    this.#spare.delete(kind);
+    return spare ?? (kind === 'preview' ? this.#lightly() : this.#fully());
+  }
+
+  #fully(): Meshes {
+    const fill = drawn(this.#fill);
     // before the grid, which is blended over what is there
-    wire.renderOrder = 1;
-    const silhouette = add(this.selection, geometry, this.#materials.silhouette);
-    silhouette.renderOrder = MASK_ORDER.silhouette;
-    const mask = add(this.selection, geometry, this.#materials.occluder);
-    return { meshes: [line, fill, wire, occluder, silhouette, mask], fill, wire, silhouette, mask };
+    const wire = drawn(this.#materials.wire, 1);
+    const silhouette = drawn(this.#materials.silhouette, MASK_ORDER.silhouette);
+    const mask = drawn(this.#materials.occluder);
+    const meshes = new Map([
+      [drawn(this.#materials.line), this.lines],
+      [fill, this.colour],
+      [wire, this.colour],
+      [drawn(this.#materials.occluder), this.preview],
+      [silhouette, this.selection],
+      [mask, this.selection],
+    ]);
+    return { meshes, fill, wire, silhouette, mask };
   }
 
   /** Depth first, then colour where it is nearest: the inside of a light form never shows through it. */
-  #lightly(geometry: BufferGeometry): Omit<Part, 'item' | 'geometry'> {
-    const depth = add(this.preview, geometry, this.#materials.occluder);
-    const colour = add(this.preview, geometry, this.#materials.preview);
-    colour.renderOrder = 1;
-    return { meshes: [depth, colour], fill: null, wire: null, silhouette: null, mask: null };
+  #lightly(): Meshes {
+    const meshes = new Map([
+      [drawn(this.#materials.occluder), this.preview],
+      [drawn(this.#materials.preview, 1), this.preview],
+    ]);
+    return { meshes, fill: null, wire: null, silhouette: null, mask: null };
   }
 
   #recolour(part: Part, item: SceneItem): void {
     const colour = new Vector3(...displayRgb(item.colour));
-    for (const mesh of part.meshes) mesh.userData.colour = colour;
+    for (const mesh of part.meshes.keys()) mesh.userData.colour = colour;
     if (part.item !== item) this.#parts.set(item.id, { ...part, item });
   }
 
-  #remove(part: Part): void {
-    for (const mesh of part.meshes) mesh.removeFromParent();
-    part.geometry.dispose();
-    this.#parts.delete(part.item.id);
+  #remove({ item, geometry, ...meshes }: Part): void {
+    for (const mesh of meshes.meshes.keys()) mesh.removeFromParent();
+    geometry.dispose();
+    this.#parts.delete(item.id);
+    const kind = item.preview ? 'preview' : 'kept';
+    if (this.#spare.has(kind)) end(meshes.meshes);
+    else this.#spare.set(kind, meshes);
   }
 
   /** Grown from the items' own spheres: within a few per cent of the smallest. */
@@ -197,11 +229,18 @@ function named(name: string): ThreeScene {
   return scene;
 }
 
-function add(scene: ThreeScene, geometry: BufferGeometry, material: Material): ThreeMesh {
-  const mesh = new ThreeMesh(geometry, material);
+/** Of a part that is still to come. */
+function drawn(material: Material, order = 0): ThreeMesh {
+  const mesh = new ThreeMesh(undefined, material);
   mesh.matrixAutoUpdate = false;
-  scene.add(mesh);
+  mesh.renderOrder = order;
   return mesh;
+}
+
+/** three listens for this event at every mesh it has drawn, though its types do not say so. */
+function end(meshes: Meshes['meshes']): void {
+  for (const mesh of meshes.keys())
+    (mesh as EventDispatcher<{ dispose: object }>).dispatchEvent({ type: 'dispose' });
 }
 
 function toGeometry(item: SceneItem): BufferGeometry {

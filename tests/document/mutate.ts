@@ -127,7 +127,8 @@ const CHANGES: Readonly<Record<string, Change>> = {
   'huge text': (spot, dice) => set(spot, dice.of(['x', HTML, '\ud83d', '\u0000', '🍐']).repeat(10_000)),
   'huge list'(spot, dice) {
     const value = get(spot);
-    const item = Array.isArray(value) && Array.isArray(value[0]) ? value[0] : [0, 0];
+    const first: unknown = Array.isArray(value) ? value[0] : null;
+    const item = Array.isArray(first) && first.length <= 6 ? first : [0, 0];
     set(spot, new Array(dice.chance(0.05) ? 1_000_000 : 100_001).fill(item));
   },
   'list for object'(spot) {

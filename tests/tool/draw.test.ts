@@ -1,4 +1,5 @@
 import { beforeEach, describe, expect, it } from 'vitest';
+import { solids } from '../../src/document/build.ts';
 import { readingOf } from '../../src/document/document.ts';
 import { Driver } from './driver.ts';
 
@@ -108,6 +109,17 @@ describe('draw', () => {
     hand.draw(LEFT);
     expect(hand.document.parts.map(({ kind }) => kind)).toEqual(['tube']);
     expect(hand.document.draft!.strokes[0]!.closed).toBe(false);
+  });
+
+  it('never keeps what nobody could see: two strokes in one place go on as two tubes', () => {
+    hand.draw(LEFT);
+    hand.draw(LEFT);
+    expect(readingOf(hand.document)).toBe('rotational');
+    hand.draw(RIGHT);
+    expect(hand.document.parts.map(({ kind }) => kind)).toEqual(['tube', 'tube']);
+    expect(solids(hand.document).every(({ mesh }) => mesh.indices.length > 0)).toBe(true);
+    expect(hand.document.draft!.strokes).toHaveLength(1);
+    expect(hand.document.tubesOnly).toBe(false);
   });
 
   it('takes a dot for no stroke and says why', () => {

@@ -42,7 +42,9 @@ export function exactBall(hand: Driver): Viewport['pick'] {
     if (root < 0) return null;
     const t = -half - Math.sqrt(root);
     const p: Vec3 = [0, 1, 2].map((k) => origin[k]! + t * direction[k]!) as unknown as Vec3;
-    return { point: p, normal: scale3(p, 1 / length3(p)), id: 'part-1' };
+    // Rays start far away, which costs digits: back onto the ball.
+    const normal = scale3(p, 1 / length3(p));
+    return { point: scale3(normal, RADIUS), normal, id: 'part-1' };
   };
 }
 

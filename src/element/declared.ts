@@ -1,0 +1,131 @@
+/**
+ * What a page declares: a drawing by its address or as a property, and a style; and when all of that can be seen. Nothing
+ * here throws: what cannot be done is told by an event, and what is open stays.
+ */
+import type { Drawing } from '../document/drawing.ts';
+import { STYLES, type Style } from '../document/look.ts';
+import { FileError } from '../document/serialize.ts';
+import { messageOf } from './events.ts';
+import type { Notice, Session } from './session.ts';
+import { Source } from './source.ts';
+import { WORDS } from './words.ts';
+
+export interface DeclaredHost {
+  readonly session: Session;
+  readonly isConnected: boolean;
+  readonly src: string | null;
+  renderStyle: Style | null;
+  /** Says what went wrong; true when the page leaves telling the person to the element. */
+  fail(error: unknown): boolean;
+  /** the first picture of a scene is there */
+  ready(): void;
+}
+
+export class Declared {
+  readonly #host: DeclaredHost;
+  readonly #source = new Source({
+    opened: (drawing) => this.begin(drawing),
+    failed: (error) => this.#sourceFailed(error),
+  });
+  /** the style last taken from the attribute or given to it */
+  #style: Style | null = null;
+  #readyDue = false;
+  /** that `src` could not be opened */
+  #notice: Notice | null = null;
+
+  constructor(host: DeclaredHost) {
+    this.#host = host;
+  }
+
+  /** Its first drawing is no deed that undo could take back. */
+  begin(drawing: Drawing): void {
+    const { session } = this.#host;
+    const { past, future } = session.history;
+    const fresh = past.length + future.length === 0 && !session.state.wet;
+    session.open(this.styled(drawing), { fresh });
+    if (session.notice === this.#notice) session.notice = null;
+    this.#announce();
+  }
+
+  /** The declared style wins over that of the drawing. */
+  styled(drawing: Drawing): Drawing {
+    const style = known(this.#host.renderStyle);
+    return style ? { ...drawing, look: { ...drawing.look, style } } : drawing;
+  }
+
+  /** Resolves when no address is being read. */
+  async settled(): Promise<void> {
+    while (this.#source.busy) await this.#source.settled;
+  }
+
+  // ── the address ─────────────────────────────────────────────────────────────────────────────────────
+
+  fetch(): void {
+    this.#source.open(this.#host.src, this.#host.isConnected);
+  }
+
+  /** What is being read is not wanted any more. */
+  close(): void {
+    this.#source.close();
+  }
+
+  /** What `close` interrupted begins anew. */
+  resume(): void {
+    this.#source.resume();
+  }
+
+  #sourceFailed(error: unknown): void {
+    const { session } = this.#host;
+    if (this.#host.fail(error)) {
+      this.#notice = {
+        text: messageOf(error),
+        actions: [{ label: WORDS.tryAgain, run: () => this.fetch() }],
+      };
+      session.notice = this.#notice;
+      session.update();
+    }
+    this.#announce();
+  }
+
+  // ── the style ───────────────────────────────────────────────────────────────────────────────────────
+
+  takeStyle(): void {
+    const { renderStyle: wanted, session } = this.#host;
+    this.#style = known(wanted);
+    if (this.#style) session.setLook({ style: this.#style });
+    else if (wanted !== null) {
+      const expected = `expected one of ${STYLES.join(', ')}, found ${JSON.stringify(wanted)}`;
+      this.#host.fail(new FileError('rotund-sketch', 'render-style', expected));
+    }
+  }
+
+  /** Where a style is declared, it follows what a person chooses. */
+  followStyle(): void {
+    const { style } = this.#host.session.look;
+    if (!this.#style || style === this.#style) return;
+    this.#style = style;
+    this.#host.renderStyle = style;
+  }
+
+  // ── when it can be seen ─────────────────────────────────────────────────────────────────────────────
+
+  sceneCame(): void {
+    this.#readyDue = true;
+    this.#announce();
+  }
+
+  /** Once a scene: when the first picture with all that is declared is there, or would be if it were seen. */
+  sayReady(): void {
+    if (!this.#readyDue || !this.#host.session.scene || this.#source.busy) return;
+    this.#readyDue = false;
+    this.#host.ready();
+  }
+
+  /** The next frame says that it is ready; where nobody looks there is none. */
+  #announce(): void {
+    if (this.#host.session.asleep) this.sayReady();
+    else this.#host.session.wake();
+  }
+}
+
+const known = (style: string | null): Style | null => STYLES.find((name) => name === style) ?? null;
