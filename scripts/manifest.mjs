@@ -30,7 +30,7 @@ function declaration() {
   });
   const isPublic = ({ name, privacy, description, static: isStatic }) =>
     !isStatic && (privacy ?? 'public') === 'public' && !OURS.test(name) && description;
-  const members = element.members.filter(isPublic).map(clean);
+  const members = apiFirst(element.members).filter(isPublic).map(clean);
   const fields = new Set(members.map(({ name }) => name));
   return {
     kind: 'class',
@@ -38,7 +38,9 @@ function declaration() {
     tagName: TAG,
     customElement: true,
     superclass: { name: 'LitElement', package: 'lit' },
-    attributes: element.attributes.filter(({ fieldName }) => fields.has(fieldName)).map(clean),
+    attributes: apiFirst(element.attributes)
+      .filter(({ fieldName }) => fields.has(fieldName))
+      .map(clean),
     members,
     // The first mention of an event is the one with words.
     events: element.events.filter(({ description }) => description).map(clean),
@@ -47,6 +49,12 @@ function declaration() {
     cssProperties: element.cssProperties.map(clean),
   };
 }
+
+/** What is said to the page before what is said to the application. */
+const apiFirst = (entries) => [
+  ...entries.filter(({ inheritedFrom }) => inheritedFrom),
+  ...entries.filter(({ inheritedFrom }) => !inheritedFrom),
+];
 
 const oneLine = (text) => text.replace(/\s+/g, ' ').trim();
 

@@ -186,7 +186,9 @@ test('colour and radius of what is selected; a drag of the slider is one undo st
   const radius = () =>
     page.evaluate(() => document.querySelector('rotund-sketch')!.document.parts[2]!.brush.radius);
   const before = await radius();
-  const box = (await page.getByRole('slider', { name: /^Radius of/ }).boundingBox())!;
+  const slider = page.getByRole('slider', { name: /^Radius of/ });
+  await slider.scrollIntoViewIfNeeded();
+  const box = (await slider.boundingBox())!;
   await page.mouse.move(box.x + box.width * 0.52, box.y + box.height / 2);
   await page.mouse.down();
   for (let i = 1; i <= 5; i++)

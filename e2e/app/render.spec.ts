@@ -1,6 +1,6 @@
 /** `rotund render` gives the picture that the element gives, of the size, from the side and in the style that is asked for. */
-import { execFileSync } from 'node:child_process';
-import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { execFileSync, spawnSync } from 'node:child_process';
+import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { expect, type Page, test } from '@playwright/test';
@@ -106,4 +106,13 @@ test('a side is what is seen, the whole is framed, and the element has the same 
   expect(Math.abs(row.indexOf(true) + row.lastIndexOf(true) - 399)).toBeLessThanOrEqual(2);
   const expected = await ofElement(page, { width: 400, height: 200, camera: 'front', style: 'toon' });
   expect(differing(png, expected)).toBeLessThan(0.001 * 400 * 200);
+});
+
+test('a browser that is not there is asked for by name', () => {
+  test.setTimeout(240_000);
+  const args = ['scripts/rotund.mjs', 'render', join(folder, 'ball.rotund'), '-o', join(folder, 'none.png')];
+  const env = { ...process.env, CHROMIUM: '/nowhere/chromium' };
+  const { status, stdout, stderr } = spawnSync(process.execPath, args, { env, encoding: 'utf8' });
+  expect(stderr).toContain('CHROMIUM names /nowhere/chromium, which does not exist');
+  expect([status, stdout, existsSync(join(folder, 'none.png'))]).toEqual([2, '', false]);
 });

@@ -460,6 +460,14 @@ test.describe('a page', () => {
     });
     expect(kept).toEqual({ document: true, view: true, undo: true });
     await expect.poll(() => heard(page, 'ready')).toHaveLength(2);
+    const same = await page.evaluate(() => {
+      const sketch = document.querySelector('rotund-sketch')!;
+      const { scene } = sketch.session;
+      const to = document.querySelector('div') as Element & { moveBefore(node: Node, before: null): void };
+      to.moveBefore(sketch, null);
+      return sketch.parentElement === to && scene !== null && sketch.session.scene === scene;
+    });
+    expect(same).toBe(true);
     await expect
       .poll(async () => coloured(await page.locator('rotund-sketch').screenshot()))
       .toBeGreaterThan(1000);
@@ -544,6 +552,6 @@ test('a fallback of the page stands in for the picture that no back end can draw
     window.drawForm(sketch);
     return sketch.picture({ width: 64, height: 64 }).catch((error: Error) => error.name);
   });
-  expect(refused).toBe('Error');
+  expect(refused).toBe('NoGraphicsError');
   expect(await parts(page)).toBe(2);
 });

@@ -40,11 +40,23 @@ export async function withBrowser<T>(use: (browser: Browser) => Promise<T>): Pro
   }
 }
 
-export async function openPage(browser: Browser): Promise<Page> {
+export interface OpenPage {
+  readonly page: Page;
+  /** Rejects when something breaks in it, whenever that was. */
+  readonly broken: Promise<never>;
+}
+
+export async function openPage(browser: Browser): Promise<OpenPage> {
   const page = await browser.newPage({ viewport: { width: 64, height: 64 } });
+  const broken = new Promise<never>((_, reject) => {
+    page.on('pageerror', reject);
+    page.on('crash', () => reject(new Error('the page crashed, as it does when memory runs out')));
+  });
+  // Who does not listen yet hears it later.
+  broken.catch(() => {});
   await page.route('**/*', (route) => answer(route));
   await page.goto(`${ORIGIN}/`);
-  return page;
+  return { page, broken };
 }
 
 function answer(route: Route): Promise<void> {

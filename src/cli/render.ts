@@ -1,9 +1,8 @@
 /** `rotund render`: the picture the application shows, drawn by the same element in headless Chromium. */
-import type { Page } from 'playwright-core';
 import type { Drawing } from '../document/drawing.ts';
 import type { Shot } from '../element/shot.ts';
 import { type Args, inputOf } from './args.ts';
-import { firstLine, openPage, withBrowser } from './browser.ts';
+import { firstLine, type OpenPage, openPage, withBrowser } from './browser.ts';
 import { camera } from './camera.ts';
 import { RENDER } from './commands.ts';
 import { readInput } from './input.ts';
@@ -46,17 +45,15 @@ interface Picture {
 /** ms a picture may take: large ones take minutes on a software adapter. */
 const PATIENCE = 600_000;
 
-async function drawn(page: Page, drawing: Drawing, shot: Shot): Promise<Picture> {
+async function drawn({ page, broken }: OpenPage, drawing: Drawing, shot: Shot): Promise<Picture> {
   // As one text: a drawing may hold a million numbers, and arguments are taken apart one by one.
   const order = JSON.stringify({ drawing, shot });
   let timer: NodeJS.Timeout | undefined;
-  const given = new Promise<never>((_, reject) => {
-    page.on('pageerror', reject);
-    page.on('crash', () => reject(new Error('the page crashed, as it does when memory runs out')));
+  const tooLong = new Promise<never>((_, reject) => {
     timer = setTimeout(() => reject(new Error('it took longer than ten minutes')), PATIENCE);
   });
   try {
-    const { base64, backend } = await Promise.race([page.evaluate(inPage, order), given]);
+    const { base64, backend } = await Promise.race([broken, page.evaluate(inPage, order), tooLong]);
     return { png: Buffer.from(base64, 'base64'), backend };
   } catch (error) {
     const reason = firstLine(error).replace(/^page\.evaluate: (Error: )?/, '');

@@ -34,7 +34,7 @@ const LONGEST_FOUND = 40;
 /** A found value in a message. */
 export function shown(value: unknown): string {
   if (value === undefined) return 'nothing';
-  if (typeof value === 'string') return shortened(JSON.stringify(value.slice(0, LONGEST_FOUND + 1)));
+  if (typeof value === 'string') return quoted(value);
   if (Array.isArray(value)) return isFewNumbers(value) ? shortened(`[${value.join(', ')}]`) : listOf(value);
   if (typeof value === 'object' && value !== null) return 'an object';
   return typeof value === 'function' ? 'a function' : shortened(String(value));
@@ -46,8 +46,21 @@ const isFewNumbers = (list: readonly unknown[]): boolean =>
 const listOf = ({ length }: readonly unknown[]): string =>
   length === 0 ? 'an empty list' : `a list of ${length}`;
 
-/** Characters that are seen only, and no more than a line has room for. */
-function shortened(text: string): string {
-  const safe = text.replace(/[\p{C}\p{Zl}\p{Zp}]/gu, (c) => `\\u{${c.codePointAt(0)!.toString(16)}}`);
-  return safe.length > LONGEST_FOUND ? `${safe.slice(0, LONGEST_FOUND)}…` : safe;
+/** As JSON, which quotes line breaks and control characters. */
+function quoted(text: string): string {
+  const characters = [...text.slice(0, LONGEST_FOUND + 2)].map((c) => JSON.stringify(c).slice(1, -1));
+  return shortened(['"', ...characters, '"']);
 }
+
+/** Characters that are seen only, none of them cut, and no more than a line has room for. */
+function shortened(characters: Iterable<string>): string {
+  let text = '';
+  for (const character of characters) {
+    const seen = character.replace(UNSEEN, (c) => `\\u{${c.codePointAt(0)!.toString(16)}}`);
+    if (text.length + seen.length > LONGEST_FOUND + 1) return `${text}…`;
+    text += seen;
+  }
+  return text;
+}
+
+const UNSEEN = /[\p{C}\p{Zl}\p{Zp}]/gu;

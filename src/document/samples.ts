@@ -97,27 +97,31 @@ const SAMPLE_SCHEMA = {
   ],
 };
 
-export const samples = v.pipe(
-  v.unknown(),
-  v.metadata({ type: 'array', minItems: 1, maxItems: LIMITS.samples, items: SAMPLE_SCHEMA }),
-  v.rawTransform(({ dataset, addIssue, NEVER }): readonly Sample[] => {
-    const rows = dataset.value;
-    if (!Array.isArray(rows) || rows.length < 1 || rows.length > LIMITS.samples) {
-      addIssue({ message: COUNT });
-      return NEVER;
-    }
-    const found: Sample[] = [];
-    for (let i = 0; i < rows.length; i++) {
-      const read = readSample(rows[i], i);
-      if (isFault(read)) {
-        addIssue({ message: read.expected, path: pathTo(rows, [i, ...read.path]) });
+/** The message is what is said where there are none. */
+export const samples = {
+  message: COUNT,
+  ...v.pipe(
+    v.unknown(),
+    v.metadata({ type: 'array', minItems: 1, maxItems: LIMITS.samples, items: SAMPLE_SCHEMA }),
+    v.rawTransform(({ dataset, addIssue, NEVER }): readonly Sample[] => {
+      const rows = dataset.value;
+      if (!Array.isArray(rows) || rows.length < 1 || rows.length > LIMITS.samples) {
+        addIssue({ message: COUNT });
         return NEVER;
       }
-      found.push(read);
-    }
-    return found;
-  }),
-);
+      const found: Sample[] = [];
+      for (let i = 0; i < rows.length; i++) {
+        const read = readSample(rows[i], i);
+        if (isFault(read)) {
+          addIssue({ message: read.expected, path: pathTo(rows, [i, ...read.path]) });
+          return NEVER;
+        }
+        found.push(read);
+      }
+      return found;
+    }),
+  ),
+};
 
 /** A path in the form valibot keeps it, through `value`. */
 export function pathTo(

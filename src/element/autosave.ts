@@ -5,11 +5,10 @@
  */
 import type { Drawing } from '../document/drawing.ts';
 import { parse, serialize } from '../document/serialize.ts';
-import type { OpenTabs, TabMessage, Tabs } from './tabs.ts';
+import { Handover } from './handover.ts';
+import { type Facts, isBlank, type Snapshot, same, sameWork, snapshot } from './snapshot.ts';
+import type { OpenTabs } from './tabs.ts';
 import { type Stored, Superseded, type Vault } from './vault.ts';
-
-/** What is known of a drawing besides. */
-export type Facts = Pick<Stored, 'ownPaper' | 'file'>;
 
 export interface Keeper {
   drawing(): Drawing;
@@ -26,24 +25,7 @@ export type AutosaveState = 'reading' | 'on' | 'blocked' | 'elsewhere';
 
 /** ms */
 const DELAY = 400;
-const PATIENCE = { read: 4000, handover: 700 } as const;
-
-/** A page without anything drawn and without a name: nothing to keep. */
-export const isBlank = ({ document: { parts, draft }, name }: Drawing): boolean =>
-  parts.length === 0 && !draft && name === '';
-
-/** What is stored, or would be. */
-interface Shot {
-  readonly drawing: Drawing;
-  readonly facts: Facts;
-  /** the view and the facts: looking is no deed, but it is kept, too */
-  readonly rest: string;
-}
-
-const sameWork = (a: Shot | null, { drawing }: Shot) =>
-  a?.drawing.document === drawing.document && a.drawing.name === drawing.name;
-const same = (a: Shot | null, b: Shot) =>
-  a !== null && sameWork(a, b) && a.drawing.look === b.drawing.look && a.rest === b.rest;
+const PATIENCE = 4000;
 
 export class Autosave {
   state: AutosaveState = 'reading';
@@ -57,36 +39,37 @@ export class Autosave {
   refused: Stored | null = null;
   #revision = 0;
   /** what the vault has, as far as this page knows; null: nothing, or nothing that could be read */
-  #stored: Shot | null = null;
-  #seen: Shot | null = null;
+  #stored: Snapshot | null = null;
+  #seen: Snapshot | null = null;
   #timer: ReturnType<typeof setTimeout> | undefined;
   #writing: Promise<void> | null = null;
-  #given: (() => void) | null = null;
-  readonly #since: number;
-  readonly #id: string;
   readonly #vault: Vault;
-  readonly #openTabs: OpenTabs;
   readonly #keeper: Keeper;
-  #tabs: Tabs | null = null;
+  readonly #handover: Handover;
 
   constructor(vault: Vault, openTabs: OpenTabs, keeper: Keeper) {
     this.#vault = vault;
-    this.#openTabs = openTabs;
     this.#keeper = keeper;
-    this.#since = Date.now();
-    this.#id = `${Math.random()}`;
+    this.#handover = new Handover(openTabs, {
+      writes: () => this.state === 'on',
+      keeps: () => this.#stored !== null,
+      yield: () => this.#to('elsewhere'),
+      give: async () => {
+        await this.flush();
+        this.#to('elsewhere');
+      },
+    });
   }
 
   /** The page hears of other pages, and they of it. */
   connect(): void {
-    this.#tabs ??= this.#openTabs((message) => this.#receive(message));
-    if (this.state === 'on') this.#tabs.post({ type: 'hello' });
+    this.#handover.open();
+    if (this.state === 'on') this.#handover.hello();
   }
 
   disconnect(): void {
     this.leave();
-    this.#tabs?.close();
-    this.#tabs = null;
+    this.#handover.close();
     this.#vault.close();
   }
 
@@ -98,7 +81,7 @@ export class Autosave {
       const stored = await this.#read();
       const drawing = stored && (await this.#parsed(stored));
       this.#to('on');
-      this.#tabs?.post({ type: 'hello' });
+      this.#handover.hello();
       return stored && drawing && { drawing, stored };
     } catch (error) {
       this.error = error;
@@ -113,7 +96,7 @@ export class Autosave {
       this.#vault.read('previous'),
       this.#vault.read('unreadable'),
     ]);
-    const [current, previous, unreadable] = await within(slots, PATIENCE.read);
+    const [current, previous, unreadable] = await within(slots, PATIENCE);
     this.#revision = current?.revision ?? 0;
     this.previous = previous;
     this.unreadable = unreadable;
@@ -139,11 +122,8 @@ export class Autosave {
 
   // ── writing ─────────────────────────────────────────────────────────────────────────────────────────
 
-  get #now(): Shot {
-    const drawing = this.#keeper.drawing();
-    const facts = this.#keeper.facts();
-    const { ownPaper, file } = facts;
-    return { drawing, facts, rest: JSON.stringify([drawing.view, ownPaper, file?.name, file?.unchanged]) };
+  get #now(): Snapshot {
+    return snapshot(this.#keeper.drawing(), this.#keeper.facts());
   }
 
   /** Anything may have changed; cheap. */
@@ -192,7 +172,7 @@ export class Autosave {
       this.#revision = stored.revision;
       this.#stored = now;
       this.error = null;
-      if (first) this.#sayMine();
+      if (first) this.#handover.mine();
     } catch (error) {
       if (error instanceof Superseded) this.#to('elsewhere');
       else this.error = error;
@@ -215,7 +195,7 @@ export class Autosave {
     this.#vault.write('current', stored).then(done, () => {});
   }
 
-  #record({ drawing, facts }: Pick<Shot, 'drawing' | 'facts'>, step: number): Stored {
+  #record({ drawing, facts }: Pick<Snapshot, 'drawing' | 'facts'>, step: number): Stored {
     const revision = this.#revision + step;
     return { text: serialize(drawing), name: drawing.name, time: Date.now(), revision, ...facts };
   }
@@ -250,42 +230,12 @@ export class Autosave {
 
   // ── other pages ─────────────────────────────────────────────────────────────────────────────────────
 
-  #sayMine(): void {
-    this.#tabs?.post({ type: 'mine', since: this.#since, id: this.#id });
-  }
-
-  #receive(message: TabMessage): void {
-    const { state } = this;
-    // A blank page has nothing that another one could take from it.
-    if (message.type === 'hello' && state === 'on' && this.#stored) this.#sayMine();
-    if (message.type === 'mine' && state === 'on' && this.#yields(message)) this.#to('elsewhere');
-    if (message.type === 'take' && state === 'on') void this.#give();
-    if (message.type === 'given') this.#given?.();
-  }
-
-  /** To the older one, and to one that keeps something while this page does not. */
-  #yields({ since, id }: { readonly since: number; readonly id: string }): boolean {
-    if (this.#stored === null) return true;
-    return since < this.#since || (since === this.#since && id < this.#id);
-  }
-
-  async #give(): Promise<void> {
-    await this.flush();
-    this.#to('elsewhere');
-    this.#tabs?.post({ type: 'given' });
-  }
-
   /**
    * From now on this page keeps its drawing, and the other one stops. What the other one had comes back, to be shown,
    * unless this page has work of its own: then that is kept, and the other's lies beside it.
    */
   async takeOver(): Promise<{ readonly drawing: Drawing; readonly stored: Stored } | null> {
-    await new Promise<void>((resolve) => {
-      this.#given = resolve;
-      this.#tabs?.post({ type: 'take' });
-      setTimeout(resolve, PATIENCE.handover);
-    });
-    this.#given = null;
+    await this.#handover.ask();
     const own = this.pending;
     try {
       const stored = await this.#read();

@@ -2,12 +2,14 @@
 import { html, nothing, type TemplateResult } from 'lit';
 import type { Actions } from './controls.ts';
 import { row, when } from './fileRows.ts';
+import type { Files } from './files.ts';
 import { cards } from './gallery.ts';
 import { frame } from './panelFrame.ts';
 import type { Session } from './session.ts';
+import type { Stored } from './vault.ts';
 import { FILE_WORDS } from './words.ts';
 
-export function drawingsPanel(session: Session, actions: Actions): TemplateResult {
+export function drawingsPanel({ name }: Session, actions: Actions): TemplateResult {
   const { files } = actions;
   const { opening, samples, keeping, blank } = files;
   const previous = keeping?.autosave.previous;
@@ -15,35 +17,14 @@ export function drawingsPanel(session: Session, actions: Actions): TemplateResul
     actions.dismiss();
     run();
   };
+  const fresh = then(() => opening.startNew());
+  const open = then(() => void opening.choose());
+  const back = (stored: Stored) => then(() => void opening.previous(stored));
+  const toFile = () => actions.toggle('file');
   const body = html`<section>
-      ${
-        blank
-          ? nothing
-          : row(
-              'fresh',
-              'New drawing',
-              then(() => opening.startNew()),
-            )
-      }
-      ${row(
-        'open',
-        'Open a file',
-        then(() => void opening.choose()),
-        { key: 'Ctrl O' },
-      )}
-      ${
-        previous
-          ? row(
-              'history',
-              'Previous drawing',
-              then(() => void opening.previous(previous)),
-              {
-                small: `${previous.name || FILE_WORDS.untitled}, replaced ${when(previous.time)}`,
-              },
-            )
-          : nothing
-      }
-      ${blank ? nothing : row('save', `${session.name || FILE_WORDS.untitled}: name, save, export`, () => actions.toggle('file'))}
+      ${blank ? nothing : row('fresh', 'New drawing', fresh)} ${row('open', 'Open a file', open, { key: 'Ctrl O' })}
+      ${previous ? row('history', 'Previous drawing', back(previous), { small: facts(previous) }) : nothing}
+      ${blank ? nothing : row('save', name || FILE_WORDS.untitled, toFile, { small: ways(files) })}
     </section>
     ${
       samples.list.length > 0
@@ -52,3 +33,8 @@ export function drawingsPanel(session: Session, actions: Actions): TemplateResul
     }`;
   return frame('Drawings', 'drawings', actions, body);
 }
+
+const facts = ({ name, time }: Stored) => `${name || FILE_WORDS.untitled}, replaced ${when(time)}`;
+
+/** On a narrow screen this is the only place that says whether it is saved. */
+const ways = ({ kept }: Files) => [FILE_WORDS.tray[kept], 'name, save, export'].filter(Boolean).join(' · ');

@@ -14,40 +14,20 @@ export function filePanel(session: Session, actions: Actions): TemplateResult {
     actions.dismiss();
     run();
   };
+  const save = then(() => void saving.save());
+  const saveAs = then(() => void saving.save(true));
+  const script = then(() => void saving.saveScript());
+  const exporting = () => actions.toggle('export');
+  const fresh = then(() => opening.startNew());
+  const open = then(() => void opening.choose());
   const body = html`${nameField(session, actions)} ${whereabouts(session, actions.files)}
     <section>
-      ${row(
-        'save',
-        'Save',
-        then(() => void saving.save()),
-        { key: 'Ctrl S' },
-      )}
-      ${row(
-        'saveAs',
-        'Save as',
-        then(() => void saving.save(true)),
-        { key: 'Ctrl Shift S' },
-      )}
-      ${row(
-        'script',
-        'Save the way it was drawn',
-        then(() => void saving.saveScript()),
-        { small: 'a script: every step, to be replayed' },
-      )}
-      ${row('share', 'Export', () => actions.toggle('export'), { small: 'for other programs, or as a picture' })}
+      ${row('save', 'Save', save, { key: 'Ctrl S' })} ${row('saveAs', 'Save as', saveAs, { key: 'Ctrl Shift S' })}
+      ${row('script', 'Save the way it was drawn', script, { small: 'a script: every step, to be replayed' })}
+      ${row('share', 'Export', exporting, { small: 'for other programs, or as a picture' })}
     </section>
     <section>
-      ${row(
-        'fresh',
-        'New drawing',
-        then(() => opening.startNew()),
-      )}
-      ${row(
-        'open',
-        'Open a file',
-        then(() => void opening.choose()),
-        { key: 'Ctrl O' },
-      )}
+      ${row('fresh', 'New drawing', fresh)} ${row('open', 'Open a file', open, { key: 'Ctrl O' })}
     </section>`;
   return frame('File', 'file', actions, body);
 }

@@ -3,7 +3,6 @@
  * templates read what to show.
  */
 import type { ReactiveController, ReactiveControllerHost } from 'lit';
-import { isBlank } from './autosave.ts';
 import { watchDrop } from './drop.ts';
 import type { ChangeDetail } from './events.ts';
 import { Exports, type ExportsHost } from './exports.ts';
@@ -14,6 +13,7 @@ import { Origins } from './origins.ts';
 import { Samples } from './samples.ts';
 import { Saving } from './saving.ts';
 import type { Session } from './session.ts';
+import { isBlank } from './snapshot.ts';
 import type { Theme } from './theme.ts';
 import { Voice } from './voice.ts';
 
@@ -24,8 +24,11 @@ export interface FilesHost extends ReactiveControllerHost, HTMLElement, ExportsH
   /** the address of a list of samples */
   readonly gallery: string | null;
   readonly readOnly: boolean;
+  readonly controls: 'all' | 'none';
   readonly theme: Theme | null;
   load(source: string, options: { readonly name: string }): Promise<void>;
+  /** closes the panel, else takes the focus to the drawing */
+  dismiss(): void;
 }
 
 /** Where what was drawn is, in a word. */
@@ -62,11 +65,17 @@ export class Files implements ReactiveController {
     const { signal } = this.#life;
     const changed = (event: Event) => this.origins.changed((event as CustomEvent<ChangeDetail>).detail);
     this.#host.addEventListener('change', changed, { signal });
-    window.addEventListener('beforeunload', (event) => this.#guard(event), { signal });
-    window.addEventListener('pagehide', () => this.keeping?.autosave.leave(), { signal });
-    document.addEventListener('visibilitychange', () => void this.keeping?.autosave.flush(), { signal });
     this.#watchDrop(signal);
     this.keeping?.autosave.connect();
+    if (this.keeping) this.#watchPage(this.keeping, signal);
+  }
+
+  /** Only where something is kept: such listeners cost a page its place in the browser's memory of pages. */
+  #watchPage(keeping: Keeping, signal: AbortSignal): void {
+    const { autosave } = keeping;
+    window.addEventListener('beforeunload', (event) => this.#guard(event), { signal });
+    window.addEventListener('pagehide', () => autosave.leave(), { signal });
+    document.addEventListener('visibilitychange', () => void autosave.flush(), { signal });
   }
 
   hostDisconnected(): void {
@@ -79,6 +88,7 @@ export class Files implements ReactiveController {
     const { autosave: key } = this.#host;
     if (key === null || this.keeping) return;
     this.keeping = new Keeping(key, this.#host, this.origins, this.saving, this.#voice);
+    if (this.#life) this.#watchPage(this.keeping, this.#life.signal);
   }
 
   hostUpdated(): void {
@@ -91,7 +101,7 @@ export class Files implements ReactiveController {
 
   #watchDrop(signal: AbortSignal): void {
     const target = {
-      ready: () => !this.#host.readOnly,
+      ready: () => !this.#host.readOnly && this.#host.controls === 'all',
       over: (on: boolean) => {
         if (this.over === on) return;
         this.over = on;

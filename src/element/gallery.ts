@@ -7,14 +7,21 @@ import type { Sample } from './samples.ts';
 import type { Session } from './session.ts';
 import { FILE_WORDS } from './words.ts';
 
-export function gallery(_session: Session, { files }: Actions): TemplateResult | typeof nothing {
+export function gallery(_session: Session, actions: Actions): TemplateResult | typeof nothing {
+  const { files } = actions;
   if (files.samples.list.length === 0) return nothing;
+  // The cards go, and the focus must not go with them.
+  const leave = () => actions.dismiss();
+  const choose = () => {
+    leave();
+    void files.opening.choose();
+  };
   return html`<section class="gallery chrome" aria-label="Samples">
     <header>
       <h2>${FILE_WORDS.gallery}<span class="more"> ${FILE_WORDS.galleryMore}</span></h2>
-      <button class="b quiet text" @click=${() => void files.opening.choose()}>${icon('open', 20)}Open a file</button>
+      <button class="b quiet text" @click=${choose}>${icon('open', 20)}Open a file</button>
     </header>
-    ${cards(files, () => {})}
+    ${cards(files, leave)}
   </section>`;
 }
 

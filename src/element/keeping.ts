@@ -1,10 +1,11 @@
 /** A drawing kept in the browser: brought back when the page is, and what a person has to know about it. */
 import type { Drawing } from '../document/drawing.ts';
-import { Autosave, isBlank } from './autosave.ts';
+import { Autosave } from './autosave.ts';
 import { download } from './fileAccess.ts';
 import type { FilesHost } from './files.ts';
 import type { Origins } from './origins.ts';
 import { fileNameOf, type Saving } from './saving.ts';
+import { isBlank } from './snapshot.ts';
 import { tabsOf } from './tabs.ts';
 import { PAPER_OF, themeOf } from './theme.ts';
 import { createVault, type Stored } from './vault.ts';

@@ -1,9 +1,10 @@
 /** Opening: a file, a sample, what was dropped, what was replaced. Always one undo step; what cannot be read changes nothing. */
-import { isBlank } from './autosave.ts';
+
 import { type Picked, pick } from './fileAccess.ts';
 import type { FilesHost } from './files.ts';
 import type { Origin, Origins } from './origins.ts';
 import { fetchSample, type Sample } from './samples.ts';
+import { isBlank } from './snapshot.ts';
 import type { Stored } from './vault.ts';
 import { painted, sentence, type Voice } from './voice.ts';
 import { FILE_WORDS } from './words.ts';
@@ -94,6 +95,8 @@ export class Opening {
       if (where) this.#origins.mark(session.document, session.name, where);
       this.#voice.hush();
       this.#voice.say(FILE_WORDS.opened(session.name, covers));
+      // So that its keys answer.
+      if (document.activeElement === document.body) this.#host.dismiss();
       return true;
     } catch (error) {
       this.#refuse(error, label);

@@ -5,9 +5,9 @@
 import type { Command } from '../document/command/index.ts';
 import type { Document } from '../document/document.ts';
 import type { Drawing } from '../document/drawing.ts';
-import { isBlank } from './autosave.ts';
 import type { ChangeDetail } from './events.ts';
 import type { Session } from './session.ts';
+import { isBlank } from './snapshot.ts';
 import type { StoredFile } from './vault.ts';
 
 /** Where a drawing is written again. */

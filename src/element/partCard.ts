@@ -24,7 +24,7 @@ export function partCard(session: Session): TemplateResult {
   if (parts.length === 0) return html`<section><p class="quiet-words">${PART_WORDS.choose}</p></section>`;
   return html`<section class="card-of-part">
     ${only ? nameField(session, only) : html`<h3>${partsName(parts)}</h3>`}
-    <h3>${PART_WORDS.colour} <output>${colourWords(parts)}</output></h3>
+    <h3>${PART_WORDS.colour} <span class="value">${colourWords(parts)}</span></h3>
     ${partColours(session)} ${parts.every(({ kind }) => kind === 'tube') ? radius(session, parts) : nothing}
     ${only ? html`<p class="quiet-words">${facts(only)}</p>` : nothing}
   </section>`;
@@ -78,7 +78,7 @@ function radius(session: Session, parts: readonly Part[]): TemplateResult {
     const value = sliderToRadius(Number((event.target as HTMLInputElement).value));
     session.tune({ type: 'setPartBrush', ids: session.selection, change: { radius: value } }, done);
   };
-  return html`<h3>${PART_WORDS.radius} <output>${same ? `${mm} mm` : PART_WORDS.mixed}</output></h3>
+  return html`<h3>${PART_WORDS.radius} <span class="value">${same ? `${mm} mm` : PART_WORDS.mixed}</span></h3>
     <div class="slide">
       <input type="range" min="0" max="100" step="1" aria-label="Radius of ${partsName(parts)}"
         aria-valuetext="${mm} mm, from ${RADIUS_RANGE.min} to ${RADIUS_RANGE.max}" style="--fill: ${position}%"

@@ -52,7 +52,7 @@ export class RotundSketch extends SketchApi {
     fingersDraw: { state: true },
   };
 
-  /** Key under which the browser keeps the drawing; for the one element of an application. */
+  /** key under which the browser keeps the drawing */
   declare autosave: string | null;
   /** address of a list of samples for the empty page */
   declare gallery: string | null;

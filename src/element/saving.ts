@@ -2,11 +2,11 @@
 import type { Drawing } from '../document/drawing.ts';
 import { serialize, serializeScript } from '../document/serialize.ts';
 import { fileName } from '../export/names.ts';
-import { isBlank } from './autosave.ts';
 import { type Saved, save } from './fileAccess.ts';
 import type { FilesHost } from './files.ts';
 import { baseName } from './opening.ts';
 import type { Origins } from './origins.ts';
+import { isBlank } from './snapshot.ts';
 import { sentence, type Voice } from './voice.ts';
 import { FILE_WORDS } from './words.ts';
 

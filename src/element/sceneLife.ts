@@ -120,24 +120,27 @@ export class SceneLife {
     const life = this.#life;
     this.#owner.show(scene);
     void scene.lost.then((reason) => {
-      if (this.#life === life) void this.#renew(reason, scene.backend);
+      if (this.#life === life) void this.#renew(reason, scene);
     });
   }
 
   /** The strokes are the truth and none of them is on the device: a new scene shows them again, also in mid-stroke. */
-  async #renew(reason: string, backend: Scene['backend']): Promise<void> {
+  async #renew(reason: string, { backend, useless }: Scene): Promise<void> {
     this.#life++;
     const now = performance.now();
     this.#losses = [...this.#losses.filter((then) => now - then < WITHIN), now];
-    const hopeless = this.#losses.length >= LOSSES;
+    const hopeless = useless || this.#losses.length >= LOSSES;
+    const verdict = useless
+      ? `${backend} failed: ${reason}`
+      : `${backend} was lost ${LOSSES} times: ${reason}`;
     this.#owner.lose(reason);
     if (hopeless && backend === 'WebGL2') {
-      this.#owner.withoutScene(new Error(`WebGL2 was lost ${LOSSES} times: ${reason}`));
+      this.#owner.withoutScene(new Error(verdict));
       return;
     }
     if (hopeless) {
       this.#losses = [];
-      this.#gaveUp = `WebGPU was lost ${LOSSES} times: ${reason}`;
+      this.#gaveUp = verdict;
     }
     await this.#try(PAUSES);
   }

@@ -28,6 +28,8 @@ export interface Scene {
   readonly fallbackReason: string | null;
   /** Resolves, with the reason, when the device is gone or of no use: make a new scene on a new canvas. */
   readonly lost: Promise<string>;
+  /** Its first frame could not be drawn: another device of the same back end is of no use. */
+  readonly useless: boolean;
   readonly rig: CameraRig;
   /** of the last frame, over all passes */
   readonly drawCalls: number;
@@ -62,6 +64,9 @@ export interface SceneOptions {
   readonly lineTexels?: number;
 }
 
+/** ms: what failed because the device was lost is heard of sooner than the loss. */
+const LOSS_FIRST = 100;
+
 /** Never fails for want of WebGPU; throws only when there is no WebGL2 either. */
 export async function createScene(canvas: HTMLCanvasElement, options: SceneOptions = {}): Promise<Scene> {
   const made = await createRenderer(canvas, options.backend ?? 'auto', options.because);
@@ -80,12 +85,17 @@ function makeScene(made: SceneRenderer, options: SceneOptions): Scene {
   const lineTexels = options.lineTexels ?? affordable;
   const pipeline = new Pipeline(renderer, { lineTexels, maxSide: made.maxSide });
   let studio: Studio | null = null;
-  let drew = false;
+  let drawing: 'not yet' | 'begun' | 'failed' = 'not yet';
   let giveUp: (reason: string) => void = () => {};
   const lost = new Promise<string>((resolve) => {
     giveUp = resolve;
   });
   void made.lost.then(giveUp);
+  const fail = (error: unknown) => {
+    drawing = 'failed';
+    const reason = `it could not draw: ${error instanceof Error ? error.message : error}`;
+    setTimeout(() => giveUp(reason), LOSS_FIRST);
+  };
   let width = 1;
   let height = 1;
   const scene: Scene = {
@@ -94,6 +104,9 @@ function makeScene(made: SceneRenderer, options: SceneOptions): Scene {
     description: made.description,
     fallbackReason: made.fallbackReason,
     lost,
+    get useless() {
+      return drawing === 'failed' && made.gone === null;
+    },
     rig,
     get drawCalls() {
       return pipeline.drawCalls;
@@ -115,12 +128,12 @@ function makeScene(made: SceneRenderer, options: SceneOptions): Scene {
       pick(pipeline.parts.all(), rig.camera, (2 * x) / width - 1, 1 - (2 * y) / height, except),
     render() {
       // A lost device takes commands without a word, but three complains of what it gets from it.
-      if (made.gone !== null) return;
-      const draw = async () => pipeline.render(rig.camera, rig.view());
-      // What the self-test did not find out shows at the first frame. It is no better than a loss.
-      const drawn = drew ? draw() : made.watched(draw);
-      drew = true;
-      drawn.catch((error) => giveUp(`it could not draw: ${error instanceof Error ? error.message : error}`));
+      if (made.gone !== null || drawing === 'failed') return;
+      const draw = () => pipeline.render(rig.camera, rig.view());
+      if (drawing === 'begun') draw();
+      // What the self-test did not find out shows at the first frame.
+      else made.watched(async () => draw()).catch(fail);
+      if (drawing === 'not yet') drawing = 'begun';
     },
     select: (ids) => pipeline.parts.select(ids),
     picture: (wanted) => takePicture(made, () => (studio ??= new Studio(made)), wanted),

@@ -66,8 +66,8 @@ async function onDevice(canvas: HTMLCanvasElement, opened: OpenedDevice): Promis
   }
   const { backend } = renderer as unknown as { readonly backend: { readonly isWebGPUBackend?: boolean } };
   if (!backend.isWebGPUBackend) throw new Error('three.js could not use the WebGPU device');
-  // Not three's own answer, which would keep the renderer.
-  device.onuncapturederror = ({ error }) => console.error(`WebGPU: ${error.message}`);
+  // three's own answer would keep the renderer, and so would one that is made here.
+  device.onuncapturederror = complain;
   quiet(renderer);
   let gone: string | null = null;
   void opened.lost.then((reason) => {
@@ -125,6 +125,10 @@ async function onWebGL(canvas: HTMLCanvasElement, reason: string): Promise<Scene
       // A context otherwise lives until its canvas is collected, and a page has sixteen of them.
       afterDispose(renderer, () => gl.getExtension('WEBGL_lose_context')?.loseContext()),
   };
+}
+
+function complain({ error }: GPUUncapturedErrorEvent): void {
+  console.error(`WebGPU: ${error.message}`);
 }
 
 function newRenderer(canvas: HTMLCanvasElement, how: { device: GPUDevice } | { forceWebGL: true }) {

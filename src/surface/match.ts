@@ -69,16 +69,18 @@ function follows(before: Match, after: Match): boolean {
 function matchCorners(l: Side, r: Side, from: Match, to: Match): Anchor[] {
   const as = l.corners.filter((u) => u > from.a && u < to.a);
   const bs = r.corners.filter((u) => u > from.b && u < to.b);
-  const cost = (a: number, b: number): number => {
-    const away = Math.abs((a - from.a) / (to.a - from.a) - (b - from.b) / (to.b - from.b));
-    return away + (TURN * Math.abs(turn(l, a) - turn(r, b))) / PI;
+  // once each, not once a pair: a hatch has thousands
+  const turns = { a: as.map((u) => turn(l, u)), b: bs.map((u) => turn(r, u)) };
+  const cost = (i: number, j: number): number => {
+    const away = Math.abs((as[i]! - from.a) / (to.a - from.a) - (bs[j]! - from.b) / (to.b - from.b));
+    return away + (TURN * Math.abs(turns.a[i]! - turns.b[j]!)) / PI;
   };
   const table = as.map(() => bs.map(() => 0));
   const rest = (i: number, j: number): number =>
     i < as.length && j < bs.length ? table[i]![j]! : ALONE * (as.length - i + bs.length - j);
   for (let i = as.length - 1; i >= 0; i--) {
     for (let j = bs.length - 1; j >= 0; j--) {
-      const together = cost(as[i]!, bs[j]!) + rest(i + 1, j + 1);
+      const together = cost(i, j) + rest(i + 1, j + 1);
       table[i]![j] = Math.min(together, ALONE + rest(i + 1, j), ALONE + rest(i, j + 1));
     }
   }

@@ -48,7 +48,7 @@ function spotsIn(value: unknown, found: Spot[] = []): Spot[] {
   for (const key of Object.keys(value)) {
     found.push({ holder: value, key });
     // of hundreds of samples the first few stand for all
-    if (key === 'samples') spotsIn((value[key] as unknown[]).slice(0, 3), found);
+    if (key === 'samples' && Array.isArray(value[key])) spotsIn(value[key].slice(0, 3), found);
     else spotsIn(value[key], found);
   }
   return found;
@@ -209,11 +209,12 @@ export function mutant(seed: number): Mutant {
     return { kind, text: TEXT_CHANGES[kind]!(sound, dice) };
   }
   const root = { data: JSON.parse(sound) as unknown };
-  const kinds = dice.chance(0.2) ? 2 : 1;
-  const done = Array.from({ length: kinds }, () => {
+  const done: string[] = [];
+  do {
     const kind = dice.of(Object.keys(CHANGES));
     CHANGES[kind]!(dice.of(spotsIn(root.data)), dice);
-    return kind;
-  });
+    done.push(kind);
+    // what is huge now would be huge squared
+  } while (!done.at(-1)!.startsWith('huge') && dice.chance(0.2));
   return { kind: done.join(', '), text: JSON.stringify(root.data) };
 }

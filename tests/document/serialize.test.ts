@@ -207,7 +207,7 @@ describe('what is wrong is said in one sentence', () => {
     ],
     [
       part(`"name":"${'n'.repeat(81)}"`),
-      `Pear.rotund, document.parts[0].name: expected a text of 1 to 80 characters, found "${'n'.repeat(39)}…`,
+      `Pear.rotund, document.parts[0].name: expected a text of 1 to 80 characters, found "${'n'.repeat(40)}…`,
     ],
     [
       part('"name":"<b>\\u0007\\u202e</b>\\n\\u2028" ,"id":7'),

@@ -9,6 +9,7 @@ class FakeScene {
   readonly canvas: object;
   readonly because: string | undefined;
   disposed = false;
+  useless = false;
   lose: (reason: string) => void = () => {};
   readonly lost = new Promise<string>((resolve) => {
     this.lose = resolve;
@@ -168,6 +169,20 @@ describe('a lost device', () => {
     await settle();
     expect(last().backend).toBe('WebGL2');
     expect(said.filter((word) => word.startsWith('lost'))).toHaveLength(4);
+  });
+
+  it('that cannot draw its first frame is not tried again', async () => {
+    const { life, said, last } = element({ now: works });
+    await life.open();
+    last().useless = true;
+    last().lose('it could not draw');
+    await settle();
+    expect(said).toEqual(['WebGPU', 'lost: it could not draw', 'WebGL2']);
+    expect(last().because).toBe('WebGPU failed: it could not draw');
+    last().useless = true;
+    last().lose('nor this');
+    await settle();
+    expect(said.at(-1)).toBe('none: WebGL2 failed: nor this');
   });
 
   it('may be lost now and then for ever', async () => {

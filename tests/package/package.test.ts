@@ -79,6 +79,16 @@ describe('the package', () => {
     expect([...reached].filter((name) => /^three|gltf|export\.js|scene\.js/.test(name))).toEqual([]);
   });
 
+  // What a package says of its side effects holds for its own bundles as well.
+  it('leaves the element in the application', { timeout: 60_000 }, () => {
+    const assets = join(stage.application(), 'assets');
+    const scripts = readdirSync(assets).filter((name) => name.endsWith('.js'));
+    const defines = scripts.filter((name) =>
+      /customElements[^;]*define\([`'"]rotund-sketch/.test(readFileSync(join(assets, name), 'utf8')),
+    );
+    expect(defines).toHaveLength(1);
+  });
+
   it('can be imported in bare Node, and works on files there', { timeout: 60_000 }, () => {
     const { exports } = manifest();
     const entries = Object.keys(exports).filter((key) => !key.endsWith('.json'));

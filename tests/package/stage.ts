@@ -11,6 +11,8 @@ export interface Stage {
   readonly folder: string;
   /** Runs a program there; its output when it ends well, else an error that quotes it. */
   run(command: string, args: readonly string[], folder?: string): string;
+  /** Builds the application, too; the folder it is in. */
+  application(): string;
   remove(): void;
 }
 
@@ -25,6 +27,19 @@ export function stagePackage(): Stage {
   return {
     folder,
     run: (command, args, where = folder) => run(command, args, where),
+    application: () => {
+      const app = join(place, 'app');
+      node([
+        'node_modules/vite/bin/vite.js',
+        'build',
+        '--logLevel',
+        'error',
+        '--outDir',
+        app,
+        '--emptyOutDir',
+      ]);
+      return app;
+    },
     remove: () => rmSync(place, { recursive: true, force: true }),
   };
 }
