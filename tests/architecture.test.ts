@@ -32,6 +32,7 @@ const DOORS: readonly { readonly what: RegExp; readonly folders: readonly string
   { what: /^lit|^lucide/, folders: ['element'] },
   { what: /^node:|^playwright/, folders: ['cli'] },
   { what: /^gl-matrix/, folders: ['math'] },
+  { what: /^@gltf-transform/, folders: ['export'] },
 ];
 
 /** Names that pure code must not use: the DOM's, the GPU's, and functions whose last bit differs between engines. */

@@ -44,7 +44,7 @@ export class PointerRouter {
   #owner: number | null = null;
   #last: Finger = { x: 0, y: 0 };
   readonly #fingers = new Map<number, Finger>();
-  #tap = { start: 0, most: 0, moved: 0, previous: 0 };
+  #tap = { start: 0, most: 0, moved: 0, previous: -Infinity };
   readonly #canvas: HTMLElement;
   readonly #target: PointerTarget;
   readonly #stop = new AbortController();

@@ -90,17 +90,19 @@ const toStart = (history: History): History =>
   undoable(history) === null ? history : toStart(undo(history));
 const toEnd = (history: History): History => (redoable(history) === null ? history : toEnd(redo(history)));
 
+/** Steps back and forth, until the document has so many commands behind it; a stroke last, so that there is something. */
 function walk(seed: number): History {
   const walker = new Walker(seed);
   let history = newHistory();
-  for (let step = 0; step < STEPS; step++) {
+  while (history.past.length < STEPS - 1) {
     history = commit(history, walker.command(history.present));
-    if (walker.chance(0.1)) for (let back = walker.between(0, 9); back > 0; back--) history = undo(history);
-    if (walker.chance(0.1)) for (let on = walker.between(0, 9); on > 0; on--) history = redo(history);
-    if (walker.chance(0.004)) history = commit(history, { type: 'removeAll' });
-    if (walker.chance(0.004)) history = walker.chance(0.5) ? toEnd(toStart(history)) : toStart(history);
+    if (walker.chance(0.1)) for (let back = walker.between(0, 6); back > 0; back--) history = undo(history);
+    if (walker.chance(0.1)) for (let on = walker.between(0, 6); on > 0; on--) history = redo(history);
+    if (walker.chance(0.01)) history = toEnd(toStart(history));
+    if (walker.chance(0.002)) history = commit(history, { type: 'removeAll' });
   }
-  return history;
+  while (history.past.length > STEPS - 1) history = undo(history);
+  return commit(history, { type: 'addStroke', stroke: walker.stroke() });
 }
 
 describe('a walk of 500 commands', { timeout: 60_000 }, () => {
@@ -112,6 +114,7 @@ describe('a walk of 500 commands', { timeout: 60_000 }, () => {
     const replayed = parse(serializeScript(scriptOf(history), drawing), 'walk.rotund');
     expect(replayed).toEqual(drawing);
     expect(parse(serialize(drawing), 'walk.rotund')).toEqual(drawing);
+    expect(scriptOf(history)).toHaveLength(STEPS);
     const bytes = bytesOf(meshesOf(history.present));
     expect(bytes.length).toBeGreaterThan(0);
     expect(bytesOf(meshesOf(replayed.document))).toEqual(bytes);
