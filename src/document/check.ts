@@ -10,8 +10,8 @@ import type { Document } from './document.ts';
 import type { Drawing } from './drawing.ts';
 import { FileError, placeOf, shown } from './fileError.ts';
 import { commands as commandsSchema, drawing as drawingSchema } from './fileSchema.ts';
-import { LIMITS, RANGES } from './limits.ts';
-import { MOST_STROKES, strokeCount } from './rules.ts';
+import { RANGES } from './limits.ts';
+import { isTooLarge, SIZE } from './rules.ts';
 import { document as documentSchema, stroke as strokeSchema } from './schema.ts';
 
 /** Where the data lies in what a person knows: the file's name, and keys. */
@@ -84,13 +84,11 @@ export function applyChecked(
     throw expected(file, [...path, ...place], 'the id of a part that is there by then', ids[missing]);
   }
   const after = apply(document, command);
-  if (after.nextId > RANGES.nextId.max || hasTooMany(after)) {
-    const limit = `a document of at most ${LIMITS.strokes} strokes`;
-    throw expected(file, [...path, 'type'], `${limit} after this`, command.type);
+  const grows = GROWING.includes(command.type) && isTooLarge(after);
+  if (grows || after.nextId > RANGES.nextId.max) {
+    throw expected(file, [...path, 'type'], `a document of ${SIZE} after this`, command.type);
   }
   return after;
 }
 
-/** Not counted where there cannot be: a script of thousands of strokes asks after each. */
-const hasTooMany = (document: Document): boolean =>
-  (document.parts.length + 1) * MOST_STROKES > LIMITS.strokes && strokeCount(document) > LIMITS.strokes;
+const GROWING: readonly Command['type'][] = ['addStroke', 'duplicateParts', 'load'];

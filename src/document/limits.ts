@@ -50,6 +50,8 @@ export const LIMITS = {
   strokes: 10_000,
   /** in a stroke: 7 minutes of a pen that reports 240 times a second */
   samples: 100_000,
+  /** in a document: what is read can be saved, within the characters of a file, and be read again */
+  samplesInAll: 400_000,
   /** characters: ids and names of parts */
   name: LONGEST_NAME,
   /** characters: names of drawings, as long as a file's may be */

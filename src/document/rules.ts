@@ -56,7 +56,7 @@ export const partRules = <T extends Pick<Part, 'kind' | 'strokes'>>() =>
   });
 
 /** of one form */
-export const MOST_STROKES = Math.max(...Object.values(surfaces).map(({ strokes }) => strokes));
+const MOST_STROKES = Math.max(...Object.values(surfaces).map(({ strokes }) => strokes));
 
 export const draftRules = <T extends Draft>() =>
   rule<T>(({ strokes }) => {
@@ -87,15 +87,23 @@ function highestNumber(parts: readonly Part[]): number {
   return parts.reduce((most, { id }) => Math.max(most, Number(/^part-(\d+)$/.exec(id)?.[1] ?? 0)), 0);
 }
 
-export const strokeCount = ({ parts, draft }: Document): number =>
-  parts.reduce((sum, { strokes }) => sum + strokes.length, draft?.strokes.length ?? 0);
+/** In words, for messages. */
+export const SIZE = `at most ${LIMITS.strokes} strokes and ${LIMITS.samplesInAll} samples in all`;
+
+export function isTooLarge({ parts, draft }: Document): boolean {
+  let strokes = 0;
+  let samples = 0;
+  for (const form of draft ? [...parts, draft] : parts) {
+    strokes += form.strokes.length;
+    for (const stroke of form.strokes) samples += stroke.samples.length;
+  }
+  return strokes > LIMITS.strokes || samples > LIMITS.samplesInAll;
+}
 
 export const documentRules = <T extends Document>() =>
   rule<T>((document) => {
     const { parts, nextId } = document;
-    if (strokeCount(document) > LIMITS.strokes) {
-      return { expected: `at most ${LIMITS.strokes} strokes in all`, path: ['parts'] };
-    }
+    if (isTooLarge(document)) return { expected: SIZE, path: ['parts'] };
     const seen = new Set<string>();
     const twin = parts.findIndex(({ id }) => seen.size === seen.add(id).size);
     if (twin >= 0) return { expected: 'an id that no other part has', path: ['parts', twin, 'id'] };

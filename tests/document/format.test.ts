@@ -82,9 +82,10 @@ describe('docs/format.md', () => {
   });
 
   it('names the limits', () => {
-    const { text, depth, commands, strokes, samples } = LIMITS;
+    const { text, depth, commands, strokes, samples, samplesInAll } = LIMITS;
     const limits = docs.split('## Limits')[1]!.split('##')[0]!;
     expect(limits).toContain(`| ${text / 1024 / 1024} MiB |`);
-    for (const limit of [depth, commands, strokes, samples]) expect(limits).toContain(`| ${limit} |`);
+    for (const limit of [depth, commands, strokes, samples, samplesInAll])
+      expect(limits).toContain(`| ${limit} |`);
   });
 });
