@@ -18,7 +18,7 @@ export async function takePicture(page: Page): Promise<Picture & { readonly png:
     hide.id = 'picture';
     hide.textContent = '.chrome, .hint, .notice, .ink, .gizmo { visibility: hidden !important; }';
     sketch.shadowRoot!.append(hide);
-    sketch.session.wake();
+    sketch.session.frames.wake();
     await new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
   });
   const png = await page.locator('rotund-sketch').screenshot();

@@ -27,7 +27,7 @@ test('pen-up and frames', async ({ page }) => {
       await new Promise(requestAnimationFrame);
       await scene.compile();
       surface.push(performance.now() - start);
-      mesh.push(session.buildTime);
+      mesh.push(session.frames.buildTime);
     }
     session.keep();
     const frames: Record<string, number[]> = {};

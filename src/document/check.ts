@@ -11,8 +11,8 @@ import type { Drawing } from './drawing.ts';
 import { FileError, placeOf, shown } from './fileError.ts';
 import { commands as commandsSchema, drawing as drawingSchema } from './fileSchema.ts';
 import { RANGES } from './limits.ts';
-import { isTooLarge, SIZE } from './rules.ts';
 import { document as documentSchema, stroke as strokeSchema } from './schema.ts';
+import { GROWING, isTooLarge, SIZE } from './size.ts';
 
 /** Where the data lies in what a person knows: the file's name, and keys. */
 export interface Whereabouts {
@@ -90,5 +90,3 @@ export function applyChecked(
   }
   return after;
 }
-
-const GROWING: readonly Command['type'][] = ['addStroke', 'duplicateParts', 'load'];

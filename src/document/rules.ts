@@ -10,8 +10,9 @@ import type { Stroke } from '../stroke/stroke.ts';
 import { surfaces } from '../surface/index.ts';
 import { belongTogether } from './command/addStroke.ts';
 import type { Document, Draft, Part } from './document.ts';
-import { LIMITS, UNIT_TOLERANCE } from './limits.ts';
+import { UNIT_TOLERANCE } from './limits.ts';
 import { type Fault, pathTo } from './samples.ts';
+import { isTooLarge, SIZE } from './size.ts';
 import { WORD } from './words.ts';
 
 /** A rule as a step of a schema; it is asked only where every field is what it should be. */
@@ -85,19 +86,6 @@ export function completed(document: Incomplete): Document {
 /** Of ids as the program gives them, `part-7`. */
 function highestNumber(parts: readonly Part[]): number {
   return parts.reduce((most, { id }) => Math.max(most, Number(/^part-(\d+)$/.exec(id)?.[1] ?? 0)), 0);
-}
-
-/** In words, for messages. */
-export const SIZE = `at most ${LIMITS.strokes} strokes and ${LIMITS.samplesInAll} samples in all`;
-
-export function isTooLarge({ parts, draft }: Document): boolean {
-  let strokes = 0;
-  let samples = 0;
-  for (const form of draft ? [...parts, draft] : parts) {
-    strokes += form.strokes.length;
-    for (const stroke of form.strokes) samples += stroke.samples.length;
-  }
-  return strokes > LIMITS.strokes || samples > LIMITS.samplesInAll;
 }
 
 export const documentRules = <T extends Document>() =>

@@ -246,11 +246,11 @@ export abstract class SketchApi extends LitElement {
     if (!this.isConnected)
       throw new Error('rotund-sketch: there is a picture only of an element that is on a page.');
     const scene = await this.scene.get();
-    const { document, view, look, toFit } = this.session;
+    const { document, view, look, frames } = this.session;
     const width = Math.round(this.clientWidth * devicePixelRatio);
     const height = Math.round(this.clientHeight * devicePixelRatio);
     return pngOf(
-      await scene.picture(pictureOptions(shot, { document, view, look, width, height, fit: toFit })),
+      await scene.picture(pictureOptions(shot, { document, view, look, width, height, fit: frames.fit })),
     );
   }
 

@@ -62,7 +62,7 @@ export class CameraMoves {
     const { scene, state } = this.#session;
     if (!scene || state.wet || state.still) return;
     move(scene.rig);
-    this.#session.wake();
+    this.#session.frames.wake();
   }
 }
 

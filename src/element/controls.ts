@@ -159,7 +159,7 @@ export function rail(session: Session, actions: Actions): TemplateResult {
                 type="range" min="0" max="100" step="1" aria-label="Tube radius"
                 aria-valuetext="${radius} mm, from ${min} to ${max}" title="Tube radius (Q, Shift Q)"
                 style="--fill: ${position}%" .value=${live(String(position))} @input=${moved(false)} @change=${moved(true)}
-                @pointerdown=${() => session.holdRadius()} @blur=${() => session.holdRadius()}
+                @pointerdown=${() => session.holdSlider()} @blur=${() => session.holdSlider()}
               />
             </div>
             <div class="caption">${radius} mm</div>`
@@ -245,7 +245,7 @@ export function chip(session: Session, actions: Actions): TemplateResult | typeo
 export function status(session: Session): TemplateResult {
   const backend = session.scene?.backend;
   const slow = backend === 'WebGL2' ? 'WebGL2, slower' : backend;
-  const time = session.buildTime ? `${Math.max(1, Math.round(session.buildTime))} ms` : '';
+  const time = session.frames.buildTime ? `${Math.max(1, Math.round(session.frames.buildTime))} ms` : '';
   const facts = [
     session.detail,
     session.detail && time,

@@ -123,8 +123,8 @@ export class Declared {
 
   /** The next frame says that it is ready; where nobody looks there is none. */
   #announce(): void {
-    if (this.#host.session.asleep) this.sayReady();
-    else this.#host.session.wake();
+    if (this.#host.session.frames.asleep) this.sayReady();
+    else this.#host.session.frames.wake();
   }
 }
 

@@ -138,7 +138,7 @@ export const layout = css`
   .panel h2 { font: 600 1.0625rem/1.375rem var(--font); flex: 1; }
   .panel section { border-top: 1px solid var(--hairline); margin-top: 0.5rem; padding-top: 0.5rem; }
   .panel h3 { font: 600 0.8125rem/1.125rem var(--font); color: var(--ink-2); display: flex; align-items: center; justify-content: space-between; padding: 0 0.5rem; min-height: 2rem; }
-  .panel h3 output { color: var(--ink); }
+  .panel h3 .value { color: var(--ink); }
   .panel .row { display: flex; align-items: center; justify-content: space-between; width: 100%; min-height: 2.75rem; padding: 0 0.5rem; border-radius: 0.75rem; text-align: left; gap: 0.75rem; }
   .panel button.row:hover { background: var(--sunken); }
   .panel .slide { padding: 0 0.5rem; }

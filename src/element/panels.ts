@@ -54,7 +54,7 @@ function settings(session: Session, actions: Actions): TemplateResult {
       ${toggle('Wireframe', look.wireframe, (wireframe) => session.setLook({ wireframe }))}
     </section>
     <section>
-      <h3>Background <output>${dark?.[1]}</output></h3>
+      <h3>Background <span class="value">${dark?.[1]}</span></h3>
       <div class="dots" role="radiogroup" aria-label="Background" @keydown=${roving}>
         ${BACKGROUNDS.map(
           ([id, name]) =>
@@ -71,7 +71,7 @@ function settings(session: Session, actions: Actions): TemplateResult {
 function stroke(session: Session): TemplateResult {
   const { brush } = session.document;
   return html`<section>
-      <h3>Stroke <output>${brush.levels === 0 ? 'as drawn' : `smoothing ${brush.levels}`}</output></h3>
+      <h3>Stroke <span class="value">${brush.levels === 0 ? 'as drawn' : `smoothing ${brush.levels}`}</span></h3>
       <div class="segment" role="radiogroup" aria-label="Stroke filter" @keydown=${roving}>
         ${FILTERS.map(
           ([id, name, title]) =>

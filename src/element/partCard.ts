@@ -83,7 +83,7 @@ function radius(session: Session, parts: readonly Part[]): TemplateResult {
       <input type="range" min="0" max="100" step="1" aria-label="Radius of ${partsName(parts)}"
         aria-valuetext="${mm} mm, from ${RADIUS_RANGE.min} to ${RADIUS_RANGE.max}" style="--fill: ${position}%"
         .value=${live(String(position))} @input=${moved(false)} @change=${moved(true)}
-        @pointerdown=${() => session.holdRadius()} @blur=${() => session.holdRadius()} />
+        @pointerdown=${() => session.holdSlider()} @blur=${() => session.holdSlider()} />
     </div>`;
 }
 

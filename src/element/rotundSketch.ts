@@ -85,7 +85,7 @@ export class RotundSketch extends SketchApi {
     this.open = null;
     this.fingersDraw = true;
     // There is nothing to draw on yet.
-    this.session.asleep = true;
+    this.session.frames.asleep = true;
   }
 
   // ── life ────────────────────────────────────────────────────────────────────────────────────────────
@@ -118,7 +118,7 @@ export class RotundSketch extends SketchApi {
     this.#router = null;
     this.#sizes?.disconnect();
     this.#seen?.disconnect();
-    this.session.asleep = true;
+    this.session.frames.asleep = true;
     this.session.detach();
   }
 
@@ -137,7 +137,7 @@ export class RotundSketch extends SketchApi {
     this.#seen.observe(this);
     this.#adapt();
     this.#resize();
-    this.session.asleep = false;
+    this.session.frames.asleep = false;
     this.scene.go();
     void this.#life.open();
   }
@@ -177,7 +177,7 @@ export class RotundSketch extends SketchApi {
 
   /** Off the screen, or not displayed: no frames. */
   #see(seen: boolean): void {
-    this.session.asleep = !seen;
+    this.session.frames.asleep = !seen;
     if (!seen) this.declared.sayReady();
   }
 

@@ -3,8 +3,8 @@
  * controls; the element draws those from here and calls back. Pointer moves only mark what is stale: the frame
  * does the work, and wet ink is drawn before it.
  */
-import { draftIsWhole, draftSolids, type Solid, solids } from '../document/build.ts';
-import { apply, type Command } from '../document/command/index.ts';
+import { draftIsWhole } from '../document/build.ts';
+import type { Command } from '../document/command/index.ts';
 import { type Brush, type Document, EMPTY_DOCUMENT, readingOf } from '../document/document.ts';
 import { type Drawing, FRONT_VIEW } from '../document/drawing.ts';
 import {
@@ -18,6 +18,7 @@ import {
   undoable,
 } from '../document/history.ts';
 import { type Background, DEFAULT_LOOK, type Look, type Style } from '../document/look.ts';
+import { GROWING, isTooLarge } from '../document/size.ts';
 // Only the pure parts of the scene at once: three.js is fetched when there is a page to draw on.
 import type { Scene } from '../scene/index.ts';
 import type { View } from '../stroke/stroke.ts';
@@ -29,12 +30,10 @@ import type { Viewport } from '../tool/viewport.ts';
 import { CameraMoves } from './cameraMoves.ts';
 import { draftProblem } from './draftProblem.ts';
 import type { Cause } from './events.ts';
+import { Frames } from './frames.ts';
 import type { NoPicture } from './noPicture.ts';
 import { spoken } from './speech.ts';
 import { SURFACE, WORDS } from './words.ts';
-
-/** ms: a preview that takes longer is not made in every frame */
-const SLOW_PREVIEW = 30;
 
 export interface Notice {
   readonly text: string;
@@ -75,27 +74,18 @@ export class Session implements Bench, Viewport {
   /** a person chose the background: the theme leaves it alone */
   choseBackground = false;
   onFullScreen = (): void => {};
-  /** ms the last surface took, from strokes to mesh */
-  buildTime = 0;
-  /** the radius under a slider that is being dragged, mm */
-  #radius: number | null = null;
   /** until the slider is let go */
   #dragCancelled = false;
   /** what a control that is being dragged shows */
   #tuned: State | null = null;
-  #synced = 0;
   /** where one looked from when there last was a scene */
   #lastView: View = FRONT_VIEW;
-  #stale = true;
-  #frame = 0;
-  #last = 0;
-  /** the whole form is to be seen as soon as there is a scene */
-  #fit = false;
-  #asleep = false;
+  readonly frames: Frames;
   readonly #hooks: Hooks;
 
   constructor(hooks: Hooks) {
     this.#hooks = hooks;
+    this.frames = new Frames(this, () => hooks.drawn());
   }
 
   get document(): Document {
@@ -118,34 +108,32 @@ export class Session implements Bench, Viewport {
     this.camera.show(ids);
   }
 
-  /** All of it is about to be shown. */
-  get toFit(): boolean {
-    return this.#fit;
-  }
-
-  /** Nobody can see it: no frames. What is stale stays so until somebody can. */
-  get asleep(): boolean {
-    return this.#asleep;
-  }
-
-  set asleep(on: boolean) {
-    this.#asleep = on;
-    if (!on) this.wake();
-  }
-
   // ── commands ────────────────────────────────────────────────────────────────────────────────────────
 
   /** For the tool in hand; people's own commands come through `run`. */
   commit(commands: readonly Command[]): void {
     this.#clearPassing();
-    this.#radius = null;
     const before = this.document;
+    let { history, said } = this;
     for (const command of commands) {
-      this.said = spoken(this.document, command) ?? this.said;
-      this.history = commit(this.history, command);
+      said = spoken(history.present, command) ?? said;
+      history = commit(history, command);
     }
+    const grows = commands.some(({ type }) => GROWING.includes(type));
+    if (grows && isTooLarge(history.present)) {
+      this.#sayFull();
+      return;
+    }
+    this.history = history;
+    this.said = said;
     if (commands.some(({ type }) => type === 'addStroke' || type === 'setTubesOnly')) this.#sayPreview();
     this.#replaced(before, commands, 'command');
+  }
+
+  /** A drawing that could be made but not be saved and opened again would be lost. */
+  #sayFull(): void {
+    this.notice = { text: WORDS.full, passing: true, actions: [] };
+    this.#say(WORDS.full);
   }
 
   /** The document may be another one: what hangs on it follows, and whoever listens hears of it. */
@@ -196,7 +184,7 @@ export class Session implements Bench, Viewport {
 
   #setView(view: View, fit: boolean): void {
     this.#lastView = view;
-    this.#fit = fit;
+    this.frames.fit = fit;
     this.scene?.rig.setView(view, false);
   }
 
@@ -264,24 +252,21 @@ export class Session implements Bench, Viewport {
     this.run({ type: 'setBrush', change });
   }
 
-  /** A drag of the slider is a preview until it is done: one undo step. */
   setRadius(radius: number, done: boolean): void {
     if (this.#dragCancelled) return;
-    this.#radius = done ? null : radius;
-    if (done) this.setBrush({ radius });
-    this.said = WORDS.radius(radius);
-    this.update();
+    this.tune({ type: 'setBrush', change: { radius } }, done);
+    this.#say(WORDS.radius(radius));
   }
 
   /** mm, as shown: under the slider or of the document */
   get radius(): number {
-    return this.#radius ?? this.document.brush.radius;
+    const { brush } = this.state === this.#tuned ? this.shown() : this.document;
+    return brush.radius;
   }
 
-  /** The slider is taken hold of or let go: what was only shown is over. */
-  holdRadius(): void {
+  /** A slider is taken hold of or let go: what was only shown is over. */
+  holdSlider(): void {
     this.#dragCancelled = false;
-    this.#radius = null;
     if (this.state === this.#tuned) this.#to(this.idle);
     this.#tuned = null;
     this.update();
@@ -333,12 +318,6 @@ export class Session implements Bench, Viewport {
 
   /** The stroke or the drag under way goes; true when there was one. */
   cancel(): boolean {
-    if (this.#radius !== null) {
-      this.#radius = null;
-      this.#dragCancelled = true;
-      this.update();
-      return true;
-    }
     const before = this.state;
     if (before === this.#tuned) this.#dragCancelled = true;
     this.#tuned = null;
@@ -358,7 +337,7 @@ export class Session implements Bench, Viewport {
     return TOOLS[this.tool];
   }
 
-  /** A control of the parts is being dragged: what it would do is only shown until it is let go. */
+  /** A slider is being dragged: what it would do is only shown until it is let go, and is one undo step then. */
   tune(command: Command, done: boolean): void {
     if (this.#dragCancelled) return;
     this.#tuned = null;
@@ -426,8 +405,7 @@ export class Session implements Bench, Viewport {
   }
 
   detach(): void {
-    cancelAnimationFrame(this.#frame);
-    this.#frame = 0;
+    this.frames.stop();
     this.#lastView = this.view;
     this.scene?.dispose();
     this.scene = null;
@@ -435,73 +413,13 @@ export class Session implements Bench, Viewport {
 
   /** Something the picture shows has changed; `controls`: the controls too. */
   update(controls = true): void {
-    this.#stale = true;
     if (controls) this.#hooks.changed();
-    this.wake();
+    this.frames.mark();
   }
 
-  /** One more frame, for a moving camera. */
-  wake(): void {
-    if (!this.#asleep) this.#frame ||= requestAnimationFrame((now) => this.#tick(now));
-  }
-
-  #tick(now: number): void {
-    this.#frame = 0;
-    // A long rest is no time for the camera's motion.
-    const seconds = Math.min(0.1, (now - this.#last) / 1000);
-    this.#last = now;
-    const moving = this.scene?.rig.update(seconds) ?? false;
-    if (this.#stale && this.#due) this.#sync();
-    this.scene?.render();
-    this.#hooks.drawn();
-    if (moving || this.#stale) this.wake();
-  }
-
-  /** The document as shown: with the stroke under the pen. */
+  /** The document as shown: with the stroke under the pen, or as a slider would make it. */
   shown(): Document {
-    const { document } = this;
-    if (this.#radius === null) return this.state.preview?.(this) ?? document;
-    return apply(document, { type: 'setBrush', change: { radius: this.#radius } });
-  }
-
-  #sync(): void {
-    this.#stale = false;
-    this.#synced = performance.now();
-    this.scene?.sync(this.#solids(this.shown()).map(({ solid, preview }) => ({ ...solid, preview })));
-    // Fitting needs the size of the picture as well as the parts.
-    if (this.#fit && this.scene && this.size.width > 1) {
-      this.#fit = false;
-      this.camera.showAll(false);
-    }
-  }
-
-  /** A preview that took long waits its turn: the pen has the time before it. */
-  get #due(): boolean {
-    if (!this.state.wet || this.buildTime < SLOW_PREVIEW) return true;
-    return performance.now() - this.#synced > 4 * this.buildTime;
-  }
-
-  #solids(shown: Document): { solid: Solid; preview: boolean }[] {
-    const start = performance.now();
-    const found = this.#build(shown);
-    const took = performance.now() - start;
-    // Less is a look into the cache.
-    if (took > 0.5) this.buildTime = took;
-    return found;
-  }
-
-  #build(shown: Document): { solid: Solid; preview: boolean }[] {
-    try {
-      const kept = solids(shown).map((solid) => ({ solid, preview: false }));
-      const draft = draftSolids(shown).map((solid) => ({ solid, preview: true }));
-      // What encloses nothing is no mesh to draw.
-      return [...kept, ...draft].filter(({ solid }) => solid.mesh.indices.length > 0);
-    } catch (error) {
-      // A surface that cannot be built must not take the drawing with it.
-      console.error(error);
-      this.said = WORDS.failed;
-      return solids(this.document).map((solid) => ({ solid, preview: false }));
-    }
+    return this.state.preview?.(this) ?? this.document;
   }
 
   /** What the second line of the status shows. */

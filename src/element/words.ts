@@ -49,6 +49,7 @@ export const WORDS = {
   notBuilt: 'could not be built',
   twoTubes: 'Two tubes',
   undoStroke: 'Undo',
+  full: 'This drawing is full: a file holds no more strokes. Save it, and go on in a new one.',
   cannotKeep: 'There is nothing to keep yet. Draw it again, or drop it.',
   failed: 'This surface could not be built. The strokes are safe.',
   penFound: 'Pen found. Fingers now turn the view.',

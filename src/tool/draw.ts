@@ -8,6 +8,7 @@ import { draftIsWhole } from '../document/build.ts';
 import { joinsDraft } from '../document/command/addStroke.ts';
 import { apply, type Command } from '../document/command/index.ts';
 import { type Document, readingOf } from '../document/document.ts';
+import { LIMITS } from '../document/limits.ts';
 import { length2 } from '../math/tuple.ts';
 import { facingPlane, onPlane, rayAt } from '../stroke/plane.ts';
 import { isInReach, type Plane, type Sample, type Stroke, type View } from '../stroke/stroke.ts';
@@ -60,8 +61,10 @@ function drawing(drawn: Drawn): State {
   };
 }
 
-/** The pen's path is only ever appended to: copying it at each event would cost the square of its length. */
+/** The pen's path is only ever appended to: copying it at each event would cost the square of its length.
+ * What a file cannot hold is not drawn. */
 function extend(drawn: Drawn, pen: Pen): Drawn {
+  if (drawn.pens.length >= LIMITS.samples) return drawn;
   const last = drawn.pens.at(-1) ?? pen;
   const first = drawn.pens[0] ?? pen;
   drawn.pens.push(pen);

@@ -1,0 +1,117 @@
+/**
+ * When the picture is drawn, and of what: pointer moves only mark what is stale, the frame builds it, and a preview
+ * that takes long waits its turn, so that the pen keeps its pace.
+ */
+import { draftSolids, type Solid, solids } from '../document/build.ts';
+import type { Document } from '../document/document.ts';
+import type { Session } from './session.ts';
+import { WORDS } from './words.ts';
+
+/** ms: a preview that takes longer is not made in every frame */
+const SLOW_PREVIEW = 30;
+
+interface Shown {
+  readonly solid: Solid;
+  readonly preview: boolean;
+}
+
+export class Frames {
+  /** ms the last surface took, from strokes to mesh */
+  buildTime = 0;
+  /** The whole form is to be seen as soon as there is a scene. */
+  fit = false;
+  readonly #session: Session;
+  readonly #drawn: () => void;
+  #asleep = false;
+  #stale = true;
+  /** of the request for the next one, or 0 */
+  #frame = 0;
+  #last = 0;
+  #synced = 0;
+
+  constructor(session: Session, drawn: () => void) {
+    this.#session = session;
+    this.#drawn = drawn;
+  }
+
+  /** Nobody can see it: no frames. What is stale stays so until somebody can. */
+  get asleep(): boolean {
+    return this.#asleep;
+  }
+
+  set asleep(on: boolean) {
+    this.#asleep = on;
+    if (!on) this.wake();
+  }
+
+  /** Something the picture shows has changed. */
+  mark(): void {
+    this.#stale = true;
+    this.wake();
+  }
+
+  /** One more frame, for a moving camera. */
+  wake(): void {
+    if (!this.#asleep) this.#frame ||= requestAnimationFrame((now) => this.#tick(now));
+  }
+
+  stop(): void {
+    cancelAnimationFrame(this.#frame);
+    this.#frame = 0;
+  }
+
+  #tick(now: number): void {
+    const { scene } = this.#session;
+    this.#frame = 0;
+    // A long rest is no time for the camera's motion.
+    const seconds = Math.min(0.1, (now - this.#last) / 1000);
+    this.#last = now;
+    const moving = scene?.rig.update(seconds) ?? false;
+    if (this.#stale && this.#due) this.#sync();
+    scene?.render();
+    this.#drawn();
+    if (moving || this.#stale) this.wake();
+  }
+
+  #sync(): void {
+    const session = this.#session;
+    this.#stale = false;
+    this.#synced = performance.now();
+    session.scene?.sync(this.#solids(session.shown()).map(({ solid, preview }) => ({ ...solid, preview })));
+    // Fitting needs the size of the picture as well as the parts.
+    if (this.fit && session.scene && session.size.width > 1) {
+      this.fit = false;
+      session.camera.showAll(false);
+    }
+  }
+
+  /** A preview that took long waits its turn: the pen has the time before it. */
+  get #due(): boolean {
+    if (!this.#session.state.wet || this.buildTime < SLOW_PREVIEW) return true;
+    return performance.now() - this.#synced > 4 * this.buildTime;
+  }
+
+  #solids(shown: Document): Shown[] {
+    const start = performance.now();
+    const found = this.#build(shown);
+    const took = performance.now() - start;
+    // Less is a look into the cache.
+    if (took > 0.5) this.buildTime = took;
+    return found;
+  }
+
+  #build(shown: Document): Shown[] {
+    const session = this.#session;
+    try {
+      const kept = solids(shown).map((solid) => ({ solid, preview: false }));
+      const draft = draftSolids(shown).map((solid) => ({ solid, preview: true }));
+      // What encloses nothing is no mesh to draw.
+      return [...kept, ...draft].filter(({ solid }) => solid.mesh.indices.length > 0);
+    } catch (error) {
+      // A surface that cannot be built must not take the drawing with it.
+      console.error(error);
+      session.said = WORDS.failed;
+      return solids(session.document).map((solid) => ({ solid, preview: false }));
+    }
+  }
+}
