@@ -20,10 +20,9 @@ export default defineConfig({
     trace: 'off',
   },
   webServer: {
-    command: 'npx vite --port 5199 --strictPort',
+    command:
+      'npx vite build -c vite.e2e.config.ts --logLevel error && npx vite preview -c vite.e2e.config.ts',
     url: 'http://localhost:5199',
-    env: { ROTUND_TEST: '1' },
-    reuseExistingServer: !process.env.CI,
     stdout: 'ignore',
   },
   projects: [

@@ -3,8 +3,7 @@ import { defineConfig } from 'vite';
 export default defineConfig({
   // Relative addresses, so that the built application runs from any folder.
   base: './',
-  // Under test a change on disk must not reload the page in the middle of a stroke.
-  server: process.env.ROTUND_TEST ? { hmr: false, watch: null } : { port: 5173 },
+  server: { port: 5173 },
   build: { outDir: 'dist/app', target: 'es2022', chunkSizeWarningLimit: 1200 },
   // Known at the start: found late, they would reload the page under a stroke.
   optimizeDeps: {

@@ -2,7 +2,9 @@
 import { readFile } from 'node:fs/promises';
 import AxeBuilder from '@axe-core/playwright';
 import { type Download, expect, type Page, test } from '@playwright/test';
+import { solids } from '../../src/document/build.ts';
 import { parse } from '../../src/document/serialize.ts';
+import { screenBox } from '../../src/element/place.ts';
 import { exporters, modelOf } from '../../src/export/index.ts';
 import { PenDriver, type Point } from '../pen.ts';
 import { readPicture, takePicture } from '../picture.ts';
@@ -94,21 +96,18 @@ test('a file is opened over a drawing, all of it is seen, and undo brings the dr
 });
 
 /** Is every form within the picture, and does it fill it? Measured by projecting the vertices. */
-const frame = (page: Page) =>
-  page.evaluate(async () => {
-    const [{ solids }, { screenBox }] = await Promise.all([
-      import(/* @vite-ignore */ `${location.origin}/src/document/build.ts`),
-      import(/* @vite-ignore */ `${location.origin}/src/element/place.ts`),
-    ]);
+async function frame(page: Page) {
+  const { shown, view, size } = await page.evaluate(() => {
     const { document: shown, session } = document.querySelector('rotund-sketch')!;
-    const meshes = solids(shown).map(({ mesh }: { mesh: unknown }) => mesh);
-    const { left, right, top, bottom } = screenBox(meshes, session.view, session.size);
-    const { width, height } = session.size;
-    return {
-      inside: left >= 0 && top >= 0 && right <= width && bottom <= height,
-      large: Math.max((right - left) / width, (bottom - top) / height) > 0.4,
-    };
+    return { shown, view: session.view, size: session.size };
   });
+  const meshes = solids(shown).map(({ mesh }) => mesh);
+  const { left, right, top, bottom } = screenBox(meshes, view, size)!;
+  return {
+    inside: left >= 0 && top >= 0 && right <= size.width && bottom <= size.height,
+    large: Math.max((right - left) / size.width, (bottom - top) / size.height) > 0.4,
+  };
+}
 
 test('files are dropped: a veil, then the first of them', async ({ page }) => {
   await open(page);

@@ -1,6 +1,7 @@
 /** Parts in the hand: selected, named, coloured, hidden, moved, slid and deleted, with pen, fingers, mouse and keys. */
 import AxeBuilder from '@axe-core/playwright';
 import { expect, type Page, test } from '@playwright/test';
+import { middleOf } from '../../src/document/extent.ts';
 import { PenDriver, type Point } from '../pen.ts';
 import { takePicture } from '../picture.ts';
 
@@ -52,20 +53,24 @@ interface Facts {
   readonly steps: number;
 }
 
-const facts = (page: Page): Promise<Facts> =>
-  page.evaluate(async () => {
-    const { middleOf } = await import(/* @vite-ignore */ `${location.origin}/src/document/extent.ts`);
+async function facts(page: Page): Promise<Facts> {
+  const { parts, selection, steps } = await page.evaluate(() => {
     const { session } = document.querySelector('rotund-sketch')!;
-    const { parts } = session.document;
     return {
-      names: parts.map(({ name }) => name),
-      hidden: parts.map(({ hidden }) => hidden),
-      colours: parts.map(({ brush }) => brush.colour),
+      parts: session.document.parts,
       selection: session.selection,
-      middles: parts.map(middleOf),
       steps: session.history.past.length,
     };
   });
+  return {
+    names: parts.map(({ name }) => name),
+    hidden: parts.map(({ hidden }) => hidden),
+    colours: parts.map(({ brush }) => brush.colour),
+    selection,
+    middles: parts.map((part) => middleOf(part)!),
+    steps,
+  };
+}
 
 const tap = async (page: Page, [x, y]: Point) => {
   const pen = await PenDriver.on(page);

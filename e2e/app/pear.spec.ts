@@ -1,5 +1,8 @@
 /** The thesis' pear with a real pen on software WebGPU: parts, volumes, undo, back end, and the picture itself. */
 import { expect, type Page, test } from '@playwright/test';
+import { solids } from '../../src/document/build.ts';
+import { topology } from '../../src/mesh/check.ts';
+import { volume } from '../../src/mesh/measure.ts';
 import { BODY, STEM } from '../pear.ts';
 import { PenDriver, type Point } from '../pen.ts';
 import { distanceTo, inside, takePicture } from '../picture.ts';
@@ -23,20 +26,13 @@ interface PartFacts {
   readonly genus: number;
 }
 
-/** Measured by the program's own modules, in the page. */
-const facts = (page: Page): Promise<PartFacts[]> =>
-  page.evaluate(async () => {
-    const [{ solids }, { volume }, { topology }] = await Promise.all([
-      import(/* @vite-ignore */ `${location.origin}/src/document/build.ts`),
-      import(/* @vite-ignore */ `${location.origin}/src/mesh/measure.ts`),
-      import(/* @vite-ignore */ `${location.origin}/src/mesh/check.ts`),
-    ]);
-    const { document: drawing } = document.querySelector('rotund-sketch')!;
-    return solids(drawing).map(({ mesh, kind }: never, i: number) => {
-      const { watertight, genus } = topology(mesh);
-      return { kind, strokes: drawing.parts[i]!.strokes.length, volume: volume(mesh), watertight, genus };
-    });
+async function facts(page: Page): Promise<PartFacts[]> {
+  const drawing = await page.evaluate(() => document.querySelector('rotund-sketch')!.document);
+  return solids(drawing).map(({ mesh, kind }, i) => {
+    const { watertight, genus } = topology(mesh);
+    return { kind, strokes: drawing.parts[i]!.strokes.length, volume: volume(mesh), watertight, genus };
   });
+}
 
 /** Slices between the two outlines, each a circle on its chord: the solid without its program. */
 function volumeBetween([left, right]: readonly (readonly Point[])[]): number {
@@ -127,8 +123,8 @@ test('its silhouette is what the strokes enclose', async ({ page }) => {
       const expected = masks.some((mask) => inside(mask, x + 0.5, y + 0.5));
       if (expected) area++;
       // The contour straddles the outline: 2.4 px wide, and strokes are smoothed by less than a pixel.
-      const near = Math.min(...masks.map((mask) => distanceTo(mask, x + 0.5, y + 0.5))) < 3.5;
-      if (drawn !== expected && !near) wrong++;
+      const near = () => masks.some((mask) => distanceTo(mask, x + 0.5, y + 0.5) < 3.5);
+      if (drawn !== expected && !near()) wrong++;
     }
   }
   expect(area).toBeGreaterThan(30_000);

@@ -43,6 +43,7 @@ declare global {
     drawPicture(picture: Picture): Promise<string>;
     /** Pictures for files, all asked for in one task, while `shown` is on the screen: data addresses of PNGs. */
     takePictures(shown: Picture, wanted: readonly Picture[]): Promise<readonly string[]>;
+    createScene: typeof createScene;
     backendOf(wanted: 'auto' | 'webgl2'): Promise<string>;
     pickIn(picture: Picture, x: number, y: number): Promise<Hit | null>;
     /** Frame times of the pear at 800 × 600 CSS pixels. */
@@ -97,6 +98,8 @@ function png(width: number, height: number, draw: (context: CanvasRenderingConte
   draw(context);
   return copy.toDataURL('image/png');
 }
+
+window.createScene = createScene;
 
 window.drawPicture = async (picture) => {
   const { scene, canvas } = await setUp(picture);

@@ -141,7 +141,21 @@ async function fromAdapter(adapter: GPUAdapter): Promise<MadeDevice> {
     requiredFeatures: core ? ['core-features-and-limits'] : [],
     requiredLimits: wantedLimits(adapter),
   });
+  settleScopes(device);
   return { device, description: describe(adapter, device, core), lost: surfaceLoss(device) };
+}
+
+/**
+ * A lost device has no errors to tell (WebGPU, popErrorScope). Chromium rejects instead when the graphics process dies,
+ * and three.js, which asks after every pipeline, does not catch that.
+ */
+function settleScopes(device: GPUDevice): void {
+  const pop = device.popErrorScope.bind(device);
+  device.popErrorScope = () =>
+    pop().catch((error: unknown) => {
+      if (/instance dropped|external instance reference/i.test(message(error))) return null;
+      throw error;
+    });
 }
 
 async function test(device: GPUDevice): Promise<Failure | null> {

@@ -63,6 +63,33 @@ function shadow<K extends 'createShaderModule' | 'createBuffer' | 'createTexture
   Object.defineProperty(device, name, { value: instead(device[name].bind(device) as GPUDevice[K]) });
 }
 
+describeGpu('error scopes', () => {
+  const popping = async (text: string) => {
+    const gpu = meddled((device) => {
+      const pop = device.popErrorScope.bind(device);
+      let asked = 0;
+      // the first is the self-test's
+      device.popErrorScope = () =>
+        asked++ ? Promise.reject(new DOMException(text, 'OperationError')) : pop();
+    });
+    const made = await openDevice(gpu);
+    if ('reason' in made) throw new Error(made.reason);
+    return made;
+  };
+
+  it('of a device whose process died hold no error', async () => {
+    const { device, release } = await popping('Instance dropped in popErrorScope');
+    expect(await device.popErrorScope()).toBeNull();
+    release();
+  });
+
+  it('that were never opened are still a mistake', async () => {
+    const { device, release } = await popping('No error scopes to pop');
+    await expect(device.popErrorScope()).rejects.toThrow('No error scopes');
+    release();
+  });
+});
+
 describeGpu('a device that cannot be trusted', () => {
   it('is refused when it computes nonsense, with the nonsense as reason, and given back', async () => {
     const devices: GPUDevice[] = [];
