@@ -8,7 +8,7 @@ import manifest from './package.json' with { type: 'json' };
 const program: UserConfig = {
   define: {
     ROTUND_VERSION: JSON.stringify(manifest.version),
-    ROTUND_PLAYWRIGHT: JSON.stringify(manifest.peerDependencies['playwright-core']),
+    ROTUND_PLAYWRIGHT: JSON.stringify(manifest.devDependencies['playwright-core']),
   },
   // One folder that runs anywhere: only the optional package stays outside.
   ssr: { noExternal: true, external: ['playwright-core'] },

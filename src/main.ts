@@ -8,3 +8,8 @@ const sketch = document.querySelector('rotund-sketch');
 const query = new URLSearchParams(location.search);
 if (sketch && query.get('backend') === 'webgl2') sketch.backend = 'webgl2';
 if (sketch && query.get('quality') === 'fine') sketch.quality = 'fine';
+
+const { title } = document;
+sketch?.addEventListener('rename', ({ detail: { name } }) => {
+  document.title = name ? `${name} – ${title}` : title;
+});

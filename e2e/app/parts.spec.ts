@@ -230,6 +230,25 @@ test('the square moves a part by the dragged pixels, as one undo step; Escape in
   expect((await facts(page)).middles).toEqual(before.middles);
 });
 
+test('a handle dragged out of the picture is still in the hand, and lets go there', async ({ page }) => {
+  await open(page);
+  await select(page);
+  await tap(page, EYE);
+  const before = await facts(page);
+  const drop = await drag(page, 'Move in the view plane', [500, 0]);
+  expect(
+    await page.evaluate(() => Boolean(document.querySelector('rotund-sketch')!.session.state.carried)),
+  ).toBe(true);
+  await drop();
+  const after = await facts(page);
+  expect(after.steps).toBe(before.steps + 1);
+  expect(
+    await page.evaluate(() => Boolean(document.querySelector('rotund-sketch')!.session.state.carried)),
+  ).toBe(false);
+  await page.keyboard.press('Control+z');
+  expect((await facts(page)).middles).toEqual(before.middles);
+});
+
 test('an eye slides over a ball: it stays on it and looks out', async ({ page }) => {
   await open(page);
   await select(page);

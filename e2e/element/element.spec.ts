@@ -1,5 +1,6 @@
 /** `<rotund-sketch>` in somebody’s page: what it is told by attributes, properties and methods, and what it tells. */
 import { expect, type Page, test } from '@playwright/test';
+import { mutant } from '../../tests/document/mutate.ts';
 import { PenDriver } from '../pen.ts';
 import { readPicture } from '../picture.ts';
 
@@ -207,6 +208,49 @@ test.describe('src', () => {
     });
     expect({ name, canUndo }).toEqual({ name: 'form', canUndo: false });
     expect(coloured(await page.locator('rotund-sketch').screenshot())).toBeGreaterThan(1000);
+  });
+
+  test('gives way to what the browser kept of this page', async ({ page }) => {
+    await open(page, '');
+    await serve(page, 'form.rotund*', await saved(page));
+    const visit = async () => {
+      await open(page, '<rotund-sketch autosave="visit" src="/form.rotund"></rotund-sketch>');
+      await expect.poll(() => parts(page)).toBeGreaterThan(0);
+      await isReady(page);
+    };
+    await visit();
+    await page.evaluate(() => {
+      const sketch = document.querySelector('rotund-sketch')!;
+      sketch.run({ type: 'removeParts', ids: [sketch.document.parts[0]!.id] });
+    });
+    for (let i = 0; i < 2; i++) {
+      const kept = () => page.evaluate(() => document.querySelector('rotund-sketch')!.files.kept);
+      await expect.poll(kept).toBe('kept');
+      await visit();
+      expect(await parts(page)).toBe(1);
+    }
+    await page.evaluate(() => {
+      document.querySelector('rotund-sketch')!.src = '/form.rotund?again';
+    });
+    await expect.poll(() => parts(page)).toBe(2);
+    await page.evaluate(() => document.querySelector('rotund-sketch')!.undo());
+    expect(await parts(page)).toBe(1);
+  });
+
+  test('does not come back over what was opened in its place', async ({ page }) => {
+    await open(page);
+    await serve(page, 'form.rotund', await saved(page));
+    const shown = await page.evaluate(async () => {
+      const sketch = document.querySelector('rotund-sketch')!;
+      sketch.src = '/form.rotund';
+      await sketch.updateComplete;
+      await sketch.load('[{"type":"addStroke","stroke":{"samples":[[0,0],[5,20],[0,40]]}},{"type":"keep"}]');
+      // Frameworks move nodes about.
+      document.body.append(sketch);
+      await sketch.picture({ width: 16, height: 16 });
+      return sketch.document.parts.length;
+    });
+    expect(shown).toBe(1);
   });
 
   for (const [what, body, status, says] of [
@@ -529,6 +573,41 @@ test.describe('a page', () => {
     expect(await page.locator('rotund-sketch img').count()).toBe(0);
     expect((await heard(page, '')).filter((line) => !line.startsWith('change command'))).toEqual([]);
   });
+});
+
+test('60 mutated files are refused in words or opened; nothing else happens (seeds 1–60)', async ({
+  page,
+}) => {
+  await open(page);
+  const mutants = Array.from({ length: 60 }, (_, i) => mutant(i + 1).text).filter(
+    (text) => text.length < 1e6,
+  );
+  const complaints: string[] = [];
+  page.on('console', (message) => message.type() === 'error' && complaints.push(message.text()));
+  const found = await page.evaluate(async (texts) => {
+    const sketch = document.querySelector('rotund-sketch')!;
+    window.drawForm(sketch);
+    const wrong: string[] = [];
+    let refused = 0;
+    for (const text of texts) {
+      const before = sketch.document;
+      try {
+        await sketch.load(text, { name: 'mutant.rotund' });
+        sketch.undo();
+      } catch (error) {
+        refused++;
+        const { name, message } = error as Error;
+        if (name !== 'FileError' || !message.startsWith('mutant.rotund')) wrong.push(`${name}: ${message}`);
+      }
+      if (sketch.document !== before) wrong.push(`another document after ${text.slice(0, 80)}`);
+    }
+    await sketch.updateComplete;
+    const strange = sketch.shadowRoot!.querySelectorAll('script, img, iframe').length;
+    return { wrong, refused, strange };
+  }, mutants);
+  expect(found).toMatchObject({ wrong: [], strange: 0 });
+  expect(found.refused).toBeGreaterThan(30);
+  expect(complaints).toEqual([]);
 });
 
 test('a fallback of the page stands in for the picture that no back end can draw', async ({ page }) => {

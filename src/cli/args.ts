@@ -13,7 +13,7 @@ export interface Args {
 
 export function readArgs(command: CommandSpec, argv: readonly string[]): Args {
   const { tokens } = parseArgs({
-    args: joinedValues(command, argv),
+    args: [...argv],
     options: Object.fromEntries(command.options.map((option) => [option.name, parserOption(option)])),
     strict: false,
     allowPositionals: true,
@@ -62,20 +62,6 @@ function checkedValue(command: CommandSpec, { name, rawName, value }: OptionToke
 function parserOption({ value, short }: Option) {
   const type = value ? ('string' as const) : ('boolean' as const);
   return short ? { type, short } : { type };
-}
-
-/** `--camera -30,20`: a number that is negative is a value, no option. */
-function joinedValues(command: CommandSpec, argv: readonly string[]): string[] {
-  const joined: string[] = [];
-  for (let i = 0; i < argv.length; i++) {
-    const next = argv[i + 1];
-    const takesValue = command.options.some(({ name, value }) => value && argv[i] === `--${name}`);
-    if (takesValue && next !== undefined && isNumber(next)) {
-      joined.push(`${argv[i]}=${next}`);
-      i++;
-    } else joined.push(argv[i]!);
-  }
-  return joined;
 }
 
 const isNumber = (text: string): boolean => /^-[\d.]/.test(text);

@@ -1,7 +1,7 @@
 /**
  * The commands and their options as data: arguments are read by it, and help is printed from it.
  */
-import { STYLES } from '../document/look.ts';
+import { PICTURE_SIDE, STYLES } from '../document/look.ts';
 
 export interface Option {
   readonly name: string;
@@ -58,7 +58,11 @@ export const RENDER: CommandSpec = {
   summary: 'the picture that the application shows, through headless Chromium',
   options: [
     { name: 'output', short: 'o', value: 'FILE', help: 'the picture to write, a .png' },
-    { name: 'size', value: 'WxH', help: 'pixels, 16 to 8192 each (1024x768)' },
+    {
+      name: 'size',
+      value: 'WxH',
+      help: `pixels, ${PICTURE_SIDE.least} to ${PICTURE_SIDE.most} each (1024x768)`,
+    },
     {
       name: 'camera',
       value: 'VIEW',

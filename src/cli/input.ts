@@ -1,6 +1,7 @@
 /** The input: a file or standard input, as text, as a drawing. */
 import { readFileSync, statSync } from 'node:fs';
 import type { Drawing } from '../document/drawing.ts';
+import { LIMITS } from '../document/limits.ts';
 import { parse } from '../document/serialize.ts';
 import { fileProblem, Problem } from './problem.ts';
 
@@ -17,14 +18,11 @@ export async function readInput(path: string): Promise<Input> {
   return { drawing: parse(textOf(bytes, name), name), name };
 }
 
-/** bytes; a text of twice that is more than the engine takes */
-const MOST = 256e6;
-
 function fileBytes(path: string): Uint8Array {
   try {
     const stats = statSync(path);
     if (stats.isDirectory()) throw new Problem(`${path}: expected a drawing or a script, found a folder`);
-    if (stats.size > MOST) throw tooLarge(path);
+    if (stats.size > LIMITS.bytes) throw tooLarge(path);
     return readFileSync(path);
   } catch (error) {
     throw error instanceof Problem ? error : fileProblem(path, 'read', error);
@@ -36,14 +34,14 @@ async function standardInput(): Promise<Uint8Array> {
   let length = 0;
   for await (const chunk of process.stdin) {
     length += chunk.length;
-    if (length > MOST) throw tooLarge('standard input');
+    if (length > LIMITS.bytes) throw tooLarge('standard input');
     chunks.push(chunk);
   }
   return Buffer.concat(chunks);
 }
 
 const tooLarge = (name: string): Problem =>
-  new Problem(`${name}: expected a drawing of at most ${MOST / 1e6} MB, found more`);
+  new Problem(`${name}: expected a drawing of at most ${LIMITS.bytes / 2 ** 20} MiB, found more`);
 
 function textOf(bytes: Uint8Array, name: string): string {
   try {

@@ -1,5 +1,5 @@
 /**
- * Output files: whole or not at all. What can be known to fail is refused before the work; everything is written beside its
+ * Output files: each whole or not at all. What can be known to fail is refused before the work; everything is written beside its
  * place first, and moved there by a rename, which is one step.
  */
 import { randomBytes } from 'node:crypto';
@@ -24,7 +24,7 @@ export function outputOf(path: string | undefined, example: string): string {
 /** Refuses an output that could not be written, or must not be. */
 export function checkOutput(path: string, input: string): void {
   const folder = dirname(path);
-  const stats = statSync(folder, { throwIfNoEntry: false });
+  const stats = lookedUp(folder);
   if (!stats) throw new Problem(`${path}: the folder ${folder} does not exist`);
   if (!stats.isDirectory()) throw new Problem(`${path}: ${folder} is not a folder`);
   const there = lookedUp(path);
@@ -45,7 +45,7 @@ export function stemOf(path: string): string {
   return basename(path, extname(path));
 }
 
-/** Writes all of them; when one cannot be written none is. The first comes into its place last. */
+/** Writes all of them, and only then moves them into their places: what others refer to first, the one asked for last. */
 export function writeOutputs(outputs: readonly Output[]): void {
   const waiting: { readonly path: string; readonly from: string }[] = [];
   let path = outputs[0]?.path ?? '';
@@ -57,7 +57,10 @@ export function writeOutputs(outputs: readonly Output[]): void {
       waiting.push({ path: to, from });
       writeFileSync(from, output.bytes, { flag: 'wx' });
     }
-    for (const { path: to, from } of [...waiting].reverse()) renameSync(from, to);
+    for (const { path: to, from } of [...waiting].reverse()) {
+      path = to;
+      renameSync(from, to);
+    }
   } catch (error) {
     throw fileProblem(path, 'written', error);
   } finally {

@@ -1,6 +1,6 @@
 /** Values of options: what is written on the command line, checked. */
 import { RESOLUTION, type Resolution } from '../document/build.ts';
-import { STYLES, type Style } from '../document/look.ts';
+import { PICTURE_SIDE, STYLES, type Style } from '../document/look.ts';
 import { type Exporter, exporters, type Format } from '../export/index.ts';
 import { Problem } from './problem.ts';
 
@@ -11,7 +11,6 @@ interface Range {
 
 const SURFACE: Range = { least: 4, most: 1024 };
 const CELLS: Range = { least: 8, most: 1024 };
-const PIXELS: Range = { least: 16, most: 8192 };
 
 export interface Size {
   readonly width: number;
@@ -32,7 +31,7 @@ export function resolution(text: string | undefined): number {
 
 export function size(text: string | undefined): Size {
   if (text === undefined) return { width: 1024, height: 768 };
-  const [width, height] = pair('--size', text, 2, PIXELS, '1024x768');
+  const [width, height] = pair('--size', text, 2, PICTURE_SIDE, '1024x768');
   return { width, height };
 }
 

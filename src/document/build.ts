@@ -10,6 +10,7 @@ import { filterStroke } from '../stroke/filter.ts';
 import type { Stroke } from '../stroke/stroke.ts';
 import { buildSurface, type SurfaceKind } from '../surface/index.ts';
 import { type Brush, type Document, type Part, readingOf } from './document.ts';
+import { FRONT_VIEW } from './drawing.ts';
 
 /** Quads along and around a parametric surface. */
 export interface Resolution {
@@ -28,9 +29,6 @@ export interface Solid {
   readonly mesh: Mesh;
 }
 
-/** mm: the first view, to which the filter's grain of 1 mm belongs */
-const FRONT_HEIGHT = 200;
-
 const curves = new WeakMap<Stroke, { filter: string; levels: number; curve: Curve | null }>();
 
 /** The filtered stroke; null when it is too short to be a line. */
@@ -38,8 +36,8 @@ export function curveOfStroke(stroke: Stroke, brush: Pick<Brush, 'filter' | 'lev
   const known = curves.get(stroke);
   if (known && known.filter === brush.filter && known.levels === brush.levels) return known.curve;
   const { filter, levels } = brush;
-  // A hand trembles on the screen: drawn closer up, the same trembling is fewer millimetres.
-  const grain = stroke.view.height / FRONT_HEIGHT;
+  // A hand trembles on the screen: drawn closer up, the same trembling is fewer millimetres. The grain is 1 mm in the first view.
+  const grain = stroke.view.height / FRONT_VIEW.height;
   const filtered = filterStroke(stroke.samples, { filter, levels, closed: stroke.closed, grain });
   const curve = filtered && curveOf(filtered);
   curves.set(stroke, { filter, levels, curve });

@@ -32,7 +32,7 @@ export const RANGES = {
   time: around(1e9),
   /** of creases and overlaps */
   threshold: { min: 0, max: 1 },
-  nextId: { min: 1, max: 1e9 },
+  nextId: { min: 1, max: Number.MAX_SAFE_INTEGER },
   /** a component of a unit vector or a unit quaternion */
   component: around(1.001),
 } as const satisfies Record<string, Range>;
@@ -41,6 +41,8 @@ export const RANGES = {
 export const UNIT_TOLERANCE = 1e-3;
 
 export const LIMITS = {
+  /** bytes of a file: a character may take four */
+  bytes: 256 * 1024 * 1024,
   /** characters of a file */
   text: 64 * 1024 * 1024,
   /** lists and objects inside each other; a script that loads a document has 9 */

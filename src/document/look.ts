@@ -6,6 +6,9 @@ export type Style = (typeof STYLES)[number];
 export const BACKGROUNDS = ['paper', 'white', 'blue', 'black'] as const;
 export type Background = (typeof BACKGROUNDS)[number];
 
+/** pixels a side of a picture */
+export const PICTURE_SIDE = { least: 16, most: 8192 } as const;
+
 /** The thesis' difference kernels (figure 7.10); auto = the style's own. */
 export const KERNEL_CHOICES = ['A', 'B', 'C', 'D', 'auto'] as const;
 export type KernelChoice = (typeof KERNEL_CHOICES)[number];

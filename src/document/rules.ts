@@ -80,12 +80,16 @@ export function completed(document: Incomplete): Document {
     const { id = `part-${i + 1}`, name = `${WORD[part.kind]} ${i + 1}` } = part;
     return { ...part, id, name };
   });
-  return { ...document, parts, nextId: document.nextId ?? 1 + highestNumber(parts) };
+  const { nextId = HIGH } = document;
+  return { ...document, parts, nextId: nextId < HIGH ? nextId : 1 + highestNumber(parts) };
 }
 
-/** Of ids as the program gives them, `part-7`. */
+/** Numbers stay so far below what integers can be that no amount of drawing gets there. */
+const HIGH = 4e15;
+
+/** Of ids as the program gives them, `part-7`; longer numbers are words like any other. */
 function highestNumber(parts: readonly Part[]): number {
-  return parts.reduce((most, { id }) => Math.max(most, Number(/^part-(\d+)$/.exec(id)?.[1] ?? 0)), 0);
+  return parts.reduce((most, { id }) => Math.max(most, Number(/^part-(\d{1,15})$/.exec(id)?.[1] ?? 0)), 0);
 }
 
 export const documentRules = <T extends Document>() =>

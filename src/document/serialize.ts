@@ -26,12 +26,13 @@ import { writtenCommand, writtenDocument, writtenLook, writtenView } from './wri
 export { checkCommand, checkCommands, checkDocument, checkDrawing, checkStroke } from './check.ts';
 export { FileError } from './fileError.ts';
 
-/** Reads a document or a script; `file` is what messages call it. Throws FileError, never anything else. */
+/** Reads a document or a script; `file` is what messages call it. Throws FileError. */
 export function parse(text: string, file: string): Drawing {
   try {
     return read(readJson(text, file), file);
   } catch (error) {
-    if (error instanceof FileError) throw error;
+    // What no stack and no memory is enough for; anything else is a mistake of ours.
+    if (!(error instanceof RangeError)) throw error;
     throw new FileError(
       file,
       '',
@@ -77,7 +78,13 @@ function carriedOut(commands: readonly Command[], file: string): Document {
 
 /** Without folders and ending. */
 export const nameOf = (file: string): string =>
-  [...file.replace(/^.*[\\/]|\.(rotund|json)$/gs, '')].slice(0, LIMITS.drawingName).join('');
+  [...file.replace(/^.*[\\/]|(\.script)?\.(rotund|json)$/gs, '')].slice(0, LIMITS.drawingName).join('');
+
+/** Whether a text that can be read is a list of commands, bare or with a head. */
+export function isScript(text: string): boolean {
+  const data: unknown = JSON.parse(text);
+  return Array.isArray(data) || (data as { format?: unknown }).format === SCRIPT_FORMAT;
+}
 
 /** The text of a `.rotund` file. */
 export function serialize(drawing: Drawing): string {

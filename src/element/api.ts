@@ -34,6 +34,7 @@ export interface LoadOptions {
  *
  * @fires {Event} ready - The first picture is there, with what the page declared. Once a scene: again after the element was put elsewhere, and after a lost device.
  * @fires {CustomEvent<ChangeDetail>} change - The document is another one. `detail`: `commands`, `cause` (`command`, `undo` or `redo`; the last two carry no commands) and `document`.
+ * @fires {CustomEvent<RenameDetail>} rename - The drawing is called otherwise. `detail.name`: how; empty while it has no name.
  * @fires {CustomEvent<SelectDetail>} select - Other parts are selected. `detail.ids`: which.
  * @fires {CustomEvent<ErrorDetail>} error - What the page declared cannot be done, or there is no picture. `detail`: `error` and `message`. `preventDefault()` says that the page tells the person itself.
  *
@@ -50,6 +51,7 @@ export interface LoadOptions {
  * @csspart chip - Keep or drop, at the unfinished form.
  * @csspart status - What was done last, and which back end draws.
  * @csspart view-ball - The ball that turns the view.
+ * @csspart actions - What can be done with the selected parts.
  * @csspart notice - A message over the picture.
  * @csspart panel - A panel that opens: settings, colours, menu.
  *
@@ -85,7 +87,7 @@ export abstract class SketchApi extends LitElement {
 
   /**
    * Address of a drawing or script. A drawing that is open stays when the new one cannot be read. The first one is what
-   * the page begins with; a later one is a step that undo takes back.
+   * a blank page begins with, unless `autosave` has kept a drawing; a later one is a step that undo takes back.
    */
   declare src: string | null;
   /** what the picture shows, for those who hear the page */
@@ -151,7 +153,9 @@ export abstract class SketchApi extends LitElement {
 
   set drawing(value: Drawing) {
     try {
-      this.declared.begin(checkDrawing(value));
+      const drawing = checkDrawing(value);
+      this.declared.forget();
+      this.declared.begin(drawing);
     } catch (error) {
       this.fail(error);
     }
@@ -180,7 +184,7 @@ export abstract class SketchApi extends LitElement {
     const reading = read(source, name);
     const turn = Promise.allSettled([this.#turn, reading]).then(async () => {
       const drawing = await reading;
-      this.declared.close();
+      this.declared.forget();
       this.session.open(this.declared.styled(drawing), { fit });
     });
     this.#turn = turn.catch(() => {});
@@ -274,6 +278,24 @@ export abstract class SketchApi extends LitElement {
     super.addEventListener(type, listener, options);
   }
 
+  override removeEventListener<K extends keyof RotundSketchEventMap>(
+    type: K,
+    listener: (this: this, event: RotundSketchEventMap[K]) => unknown,
+    options?: boolean | EventListenerOptions,
+  ): void;
+  override removeEventListener(
+    type: string,
+    listener: EventListenerOrEventListenerObject,
+    options?: boolean | EventListenerOptions,
+  ): void;
+  override removeEventListener(
+    type: string,
+    listener: EventListenerOrEventListenerObject,
+    options?: boolean | EventListenerOptions,
+  ): void {
+    super.removeEventListener(type, listener, options);
+  }
+
   // ── for the element itself ──────────────────────────────────────────────────────────────────────────
 
   /** @internal */
@@ -282,6 +304,14 @@ export abstract class SketchApi extends LitElement {
       void this.dispatchEvent(changed({ commands, cause, document: this.document })),
     selected: (ids) => void this.dispatchEvent(selected(ids)),
   };
+
+  /**
+   * Resolves with true when a drawing that the browser kept is open.
+   * @internal
+   */
+  protected restored(): Promise<boolean> {
+    return Promise.resolve(false);
+  }
 
   /**
    * Says what went wrong; true when the page leaves telling the person to the element.
@@ -309,6 +339,7 @@ export abstract class SketchApi extends LitElement {
       set renderStyle(style) {
         sketch.renderStyle = style;
       },
+      restored: () => this.restored(),
       fail: (error) => this.fail(error),
       ready: () => {
         this.pictured = true;
@@ -326,7 +357,7 @@ export abstract class SketchApi extends LitElement {
   /** @internal */
   override disconnectedCallback(): void {
     super.disconnectedCallback();
-    this.declared.close();
+    this.declared.pause();
     this.scene.fail(new Error('rotund-sketch: it left the page.'));
   }
 

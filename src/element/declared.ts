@@ -7,6 +7,7 @@ import { STYLES, type Style } from '../document/look.ts';
 import { FileError } from '../document/serialize.ts';
 import { messageOf } from './events.ts';
 import type { Notice, Session } from './session.ts';
+import { isBlank } from './snapshot.ts';
 import { Source } from './source.ts';
 import { WORDS } from './words.ts';
 
@@ -14,6 +15,8 @@ export interface DeclaredHost {
   readonly session: Session;
   readonly isConnected: boolean;
   readonly src: string | null;
+  /** Resolves when what the browser kept of this drawing is open, or there is nothing; true: it is open. */
+  restored(): Promise<boolean>;
   renderStyle: Style | null;
   /** Says what went wrong; true when the page leaves telling the person to the element. */
   fail(error: unknown): boolean;
@@ -24,9 +27,15 @@ export interface DeclaredHost {
 export class Declared {
   readonly #host: DeclaredHost;
   readonly #source = new Source({
+    wanted: async () => this.#begun || !(await this.#host.restored()),
+    skipped: () => this.#skipped(),
     opened: (drawing) => this.begin(drawing),
     failed: (error) => this.#sourceFailed(error),
   });
+  /** what the page begins with is there, or was tried */
+  #begun = false;
+  /** an address that is not to be read: something else was opened in its place */
+  #done: string | null = null;
   /** the style last taken from the attribute or given to it */
   #style: Style | null = null;
   #readyDue = false;
@@ -37,11 +46,12 @@ export class Declared {
     this.#host = host;
   }
 
-  /** Its first drawing is no deed that undo could take back. */
+  /** What a blank page begins with is no deed that undo could take back. */
   begin(drawing: Drawing): void {
     const { session } = this.#host;
     const { past, future } = session.history;
-    const fresh = past.length + future.length === 0 && !session.state.wet;
+    const fresh = isBlank(session.drawing) && past.length + future.length === 0 && !session.state.wet;
+    this.#begun = true;
     session.open(this.styled(drawing), { fresh });
     if (session.notice === this.#notice) session.notice = null;
     this.#announce();
@@ -61,21 +71,37 @@ export class Declared {
   // ── the address ─────────────────────────────────────────────────────────────────────────────────────
 
   fetch(): void {
-    this.#source.open(this.#host.src, this.#host.isConnected);
+    const { src, isConnected } = this.#host;
+    const done = src !== null && src === this.#done;
+    this.#done = null;
+    if (!done) this.#source.open(src, isConnected);
   }
 
-  /** What is being read is not wanted any more. */
-  close(): void {
-    this.#source.close();
+  /** Another drawing is opened in place of the one that is declared. */
+  forget(): void {
+    this.#done = this.#host.src;
+    this.#begun = true;
+    this.#source.forget();
   }
 
-  /** What `close` interrupted begins anew. */
+  /** The element leaves the page. */
+  pause(): void {
+    this.#source.pause();
+  }
+
+  /** What `pause` interrupted begins anew. */
   resume(): void {
     this.#source.resume();
   }
 
+  #skipped(): void {
+    this.#begun = true;
+    this.#announce();
+  }
+
   #sourceFailed(error: unknown): void {
     const { session } = this.#host;
+    this.#begun = true;
     if (this.#host.fail(error)) {
       this.#notice = {
         text: messageOf(error),

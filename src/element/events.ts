@@ -21,6 +21,11 @@ export interface SelectDetail {
   readonly ids: readonly string[];
 }
 
+export interface RenameDetail {
+  /** of the drawing */
+  readonly name: string;
+}
+
 export interface ErrorDetail {
   readonly error: unknown;
   /** in a sentence, as text: it may quote a file */
@@ -30,6 +35,7 @@ export interface ErrorDetail {
 export interface RotundSketchEventMap extends Omit<HTMLElementEventMap, 'change' | 'select' | 'error'> {
   ready: Event;
   change: CustomEvent<ChangeDetail>;
+  rename: CustomEvent<RenameDetail>;
   select: CustomEvent<SelectDetail>;
   error: CustomEvent<ErrorDetail>;
 }
@@ -39,6 +45,9 @@ export const changed = (detail: ChangeDetail): CustomEvent<ChangeDetail> =>
 
 export const selected = (ids: readonly string[]): CustomEvent<SelectDetail> =>
   new CustomEvent('select', { detail: { ids } });
+
+export const renamed = (name: string): CustomEvent<RenameDetail> =>
+  new CustomEvent('rename', { detail: { name } });
 
 /** `preventDefault` says that the page tells the person itself: the element shows no notice then. */
 export const failed = (error: unknown): CustomEvent<ErrorDetail> =>

@@ -1,12 +1,13 @@
 /** Exporting: meshes for other programs and pictures, one at a time, as downloads. */
 import type { ReactiveControllerHost } from 'lit';
 import type { Exporter, Format, OutFile } from '../export/index.ts';
+import { messageOf } from './events.ts';
 import { download } from './fileAccess.ts';
 import { fileNameOf } from './saving.ts';
 import type { Session } from './session.ts';
 import type { Shot } from './shot.ts';
-import { painted, sentence, type Voice } from './voice.ts';
-import { FILE_WORDS } from './words.ts';
+import { painted, type Voice } from './voice.ts';
+import { FILE_WORDS, WORDS } from './words.ts';
 
 export interface ExportsHost extends ReactiveControllerHost {
   readonly session: Session;
@@ -24,6 +25,7 @@ export class Exports {
   formats: readonly Exporter[] | null = null;
   /** what is being written */
   busy: string | null = null;
+  #asked = false;
   readonly #host: ExportsHost;
   readonly #voice: Voice;
 
@@ -34,10 +36,19 @@ export class Exports {
 
   /** The writers are fetched when somebody looks at them. */
   async list(): Promise<void> {
-    if (this.formats) return;
-    const { exporters } = await import('../export/index.ts');
-    this.formats = Object.values(exporters);
-    this.#host.requestUpdate();
+    if (this.formats || this.#asked) return;
+    this.#asked = true;
+    try {
+      const { exporters } = await import('../export/index.ts');
+      this.formats = Object.values(exporters);
+      this.#host.requestUpdate();
+    } catch {
+      const again = () => {
+        this.#asked = false;
+        void this.list();
+      };
+      this.#voice.notify(FILE_WORDS.noWriters, { label: WORDS.tryAgain, run: again });
+    }
   }
 
   async write({ id, label, mime }: Exporter): Promise<void> {
@@ -70,7 +81,7 @@ export class Exports {
       this.#voice.say(FILE_WORDS.exported(files.map(({ name, blob: { size } }) => ({ name, size }))));
     } catch (error) {
       this.#voice.say(FILE_WORDS.notExported(what));
-      this.#voice.notify(sentence(error));
+      this.#voice.notify(messageOf(error));
     } finally {
       this.busy = null;
       this.#host.requestUpdate();

@@ -47,7 +47,6 @@ export class Files implements ReactiveController {
   readonly #voice: Voice;
   readonly #host: FilesHost;
   #life: AbortController | null = null;
-  #title: string | null = null;
 
   constructor(host: FilesHost) {
     this.#host = host;
@@ -94,7 +93,6 @@ export class Files implements ReactiveController {
   hostUpdated(): void {
     void this.samples.show(this.#host.gallery);
     this.origins.remember();
-    this.#entitle();
     this.keeping?.autosave.touch();
     this.keeping?.watch();
   }
@@ -110,15 +108,6 @@ export class Files implements ReactiveController {
       dropped: (files: readonly Promise<Picked>[]) => void this.opening.dropped(files),
     };
     watchDrop(this.#host, target, signal);
-  }
-
-  /** The page of a kept drawing is called after it. */
-  #entitle(): void {
-    if (this.#host.autosave === null) return;
-    this.#title ??= document.title;
-    const { name } = this.#host.session;
-    const title = name ? `${name} – ${this.#title}` : this.#title;
-    if (document.title !== title) document.title = title;
   }
 
   // ── where it is ─────────────────────────────────────────────────────────────────────────────────────

@@ -4,10 +4,9 @@ import type { Actions } from './controls.ts';
 import type { Files } from './files.ts';
 import { icon } from './icons.ts';
 import type { Sample } from './samples.ts';
-import type { Session } from './session.ts';
 import { FILE_WORDS } from './words.ts';
 
-export function gallery(_session: Session, actions: Actions): TemplateResult | typeof nothing {
+export function gallery(actions: Actions): TemplateResult | typeof nothing {
   const { files } = actions;
   if (files.samples.list.length === 0) return nothing;
   // The cards go, and the focus must not go with them.

@@ -11,7 +11,7 @@ import { project } from '../stroke/plane.ts';
 import type { View } from '../stroke/stroke.ts';
 import { AXIS, type Handle } from '../tool/move.ts';
 import type { Actions } from './controls.ts';
-import { dragHandle, keyHandle, letGo } from './gizmoHands.ts';
+import { dragHandle, hasFocus, keyHandle, letGo, takeFocus } from './gizmoHands.ts';
 import { icon } from './icons.ts';
 import { partsName } from './partCard.ts';
 import type { Rect, Size } from './place.ts';
@@ -40,8 +40,9 @@ export function gizmo(session: Session, actions: Actions): TemplateResult | type
   if (session.tool !== 'select' || session.state.band) return nothing;
   const parts = seenParts(document, session.selection);
   const middle = middleNow(session);
-  const at = middle && project(view, size, middle);
-  if (!at || at[0] < 0 || at[1] < 0 || at[0] > size.width || at[1] > size.height) return nothing;
+  const at = (middle && project(view, size, middle)) ?? OUTSIDE;
+  // A handle in the hand stays, wherever it goes: without it nobody would hear where the hand lets go, nor what is typed.
+  if (!session.state.carried && !hasFocus(session) && !isOn(size, at)) return nothing;
   const others = document.parts.some(({ id, hidden }) => !hidden && !session.selection.includes(id));
   const free = freeArea(size, actions.open === 'parts' || actions.open === 'settings');
   const knobs = knobsAround(view, size, at, free, others);
@@ -52,6 +53,11 @@ export function gizmo(session: Session, actions: Actions): TemplateResult | type
     ${knobs.map((knob) => button(knob, session))}
   </div>`;
 }
+
+const OUTSIDE: Vec2 = [-1e4, -1e4];
+
+const isOn = ({ width, height }: Size, [x, y]: Vec2): boolean =>
+  x >= 0 && y >= 0 && x <= width && y <= height;
 
 /** Of the parts as shown: with the drag that is under way. */
 export function middleNow({ document, selection, state }: Session): Vec3 | null {
@@ -118,7 +124,7 @@ function button({ handle, at }: Knob, session: Session): TemplateResult {
     style="left:${x}px;top:${y}px"
     @pointerdown=${(event: PointerEvent) => dragHandle(event, session, handle)}
     @keydown=${(event: KeyboardEvent) => keyHandle(event, session, handle)}
-    @keyup=${(event: KeyboardEvent) => letGo(session, event)} @blur=${() => letGo(session)}
+    @keyup=${(event: KeyboardEvent) => letGo(session, event)} @focus=${() => takeFocus(session)} @blur=${() => letGo(session)}
   ><span>${face(handle)}</span></button>`;
 }
 

@@ -115,9 +115,19 @@ const penAt = (
   pointer: 'mouse',
 });
 
+const focused = new WeakSet<Session>();
+
+/** One of the handles has the focus. */
+export const hasFocus = (session: Session): boolean => focused.has(session);
+
+export function takeFocus(session: Session): void {
+  focused.add(session);
+}
+
 /** The key is up, or the handle has lost the focus. */
 export function letGo(session: Session, event?: KeyboardEvent): void {
   if (event && !(event.key in ARROWS)) return;
+  if (!event) focused.delete(session);
   if (!held.delete(session) || !session.state.carried) return;
   session.up();
 }

@@ -126,6 +126,7 @@ export class Hands {
   key(event: KeyboardEvent): void {
     const host = this.#host;
     const origin = event.composedPath()[0] as HTMLElement;
+    if (event.defaultPrevented || event.isComposing || isForeignField(origin, host.renderRoot)) return;
     if (origin.matches?.('input') && event.key !== 'Escape') {
       if (!(event.ctrlKey || event.metaKey) || !/^[so]$/i.test(event.key)) return;
       // What was typed is taken before it is saved.
@@ -155,4 +156,10 @@ export class Hands {
     const step = radius + direction * (radius < 10 || (radius === 10 && direction < 0) ? 0.5 : 1);
     this.#host.setRadius(roundRadius(step), true);
   }
+}
+
+/** A field of the page, in a slot: what is typed there is not for the drawing. */
+function isForeignField(origin: HTMLElement, own: ParentNode): boolean {
+  if (own.contains(origin)) return false;
+  return origin.isContentEditable || Boolean(origin.matches?.('input, textarea, select'));
 }

@@ -15,7 +15,13 @@ export { exporters, modelOf } from '../export/index.ts';
 export type { Mesh } from '../mesh/mesh.ts';
 export type { Plane, Sample, Stroke, View } from '../stroke/stroke.ts';
 export type { LoadOptions } from './api.ts';
-export type { ChangeDetail, ErrorDetail, RotundSketchEventMap, SelectDetail } from './events.ts';
+export type {
+  ChangeDetail,
+  ErrorDetail,
+  RenameDetail,
+  RotundSketchEventMap,
+  SelectDetail,
+} from './events.ts';
 export { RotundSketch } from './rotundSketch.ts';
 export type { Angles, Shot } from './shot.ts';
 export type { StrokeInput } from './strokeInput.ts';

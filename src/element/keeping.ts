@@ -16,6 +16,8 @@ type Trouble = 'none' | 'elsewhere' | 'store';
 
 export class Keeping {
   readonly autosave: Autosave;
+  /** when the store has answered; true: what it kept is open */
+  readonly restored: Promise<boolean>;
   /** what was said once is not said again before it is over */
   #told: Trouble = 'none';
   readonly #host: FilesHost;
@@ -34,17 +36,21 @@ export class Keeping {
       changed: () => host.requestUpdate(),
     });
     this.autosave.connect();
-    void this.#restore();
+    this.restored = this.#restore();
   }
 
-  async #restore(): Promise<void> {
+  async #restore(): Promise<boolean> {
     const { autosave } = this;
     const found = await autosave.restore();
     if (!found && autosave.refused) this.#offer(autosave.refused);
-    if (!found) return;
+    if (!found) return false;
     // Drawn or opened before the store had answered: that stays, and the other is not lost.
-    if (isBlank(this.#host.session.drawing)) this.#show(found);
-    else await autosave.setStoredAside(found.stored);
+    if (isBlank(this.#host.session.drawing)) {
+      this.#show(found);
+      return !isBlank(found.drawing);
+    }
+    await autosave.setStoredAside(found.stored);
+    return false;
   }
 
   /** As if one had never left: nothing to undo, and looked at from the very same place. */

@@ -1,22 +1,19 @@
 /** Opening: a file, a sample, what was dropped, what was replaced. Always one undo step; what cannot be read changes nothing. */
-
+import { LIMITS } from '../document/limits.ts';
+import { isScript } from '../document/serialize.ts';
+import { messageOf } from './events.ts';
 import { type Picked, pick } from './fileAccess.ts';
 import type { FilesHost } from './files.ts';
 import type { Origin, Origins } from './origins.ts';
 import { fetchSample, type Sample } from './samples.ts';
 import { isBlank } from './snapshot.ts';
 import type { Stored } from './vault.ts';
-import { painted, sentence, type Voice } from './voice.ts';
+import { painted, type Voice } from './voice.ts';
 import { FILE_WORDS } from './words.ts';
 
-/** bytes: larger than any drawing, smaller than what stops a page */
-const LARGEST = 100e6;
-
 interface Found {
-  /** as messages call it */
+  /** as messages call it, and a drawing that has no name of its own */
   readonly label: string;
-  /** for a drawing that has none of its own */
-  readonly name: string;
   readonly origin: Origin | null;
   /** where it is just so */
   readonly where: 'file' | 'sample' | null;
@@ -56,21 +53,20 @@ export class Opening {
   #picked({ file, handle }: Picked): Promise<boolean> {
     const { name } = file;
     const read = async () => {
-      if (file.size > LARGEST) throw new Error(FILE_WORDS.tooLarge(name));
+      if (file.size > LIMITS.bytes) throw new Error(FILE_WORDS.tooLarge(name));
       return file.text();
     };
-    return this.#open({ label: name, name: baseName(name), origin: { name, handle }, where: 'file', read });
+    return this.#open({ label: name, origin: { name, handle }, where: 'file', read });
   }
 
   async sample(sample: Sample): Promise<void> {
     const { name } = sample;
-    await this.#open({ label: name, name, origin: null, where: 'sample', read: () => fetchSample(sample) });
+    await this.#open({ label: name, origin: null, where: 'sample', read: () => fetchSample(sample) });
   }
 
   /** What was set aside comes back; what it replaces is set aside in its turn. */
   async previous({ text, name }: Stored): Promise<void> {
-    const label = name || FILE_WORDS.untitled;
-    await this.#open({ label, name, origin: null, where: null, read: async () => text });
+    await this.#open({ label: name, origin: null, where: null, read: async () => text });
   }
 
   /** An empty page; undo brings the drawing back. */
@@ -82,16 +78,17 @@ export class Opening {
     this.#voice.say(FILE_WORDS.fresh(covers));
   }
 
-  async #open({ label, name, origin, where, read }: Found): Promise<boolean> {
+  async #open({ label, origin, where, read }: Found): Promise<boolean> {
     const { session } = this.#host;
-    this.#voice.say(FILE_WORDS.opening(label));
+    const called = label || FILE_WORDS.untitled;
+    this.#voice.say(FILE_WORDS.opening(called));
     await painted();
     try {
       const text = await read();
       const covers = !isBlank(session.drawing);
-      this.#origins.next = origin;
+      // Saving would put a drawing in the place of the commands somebody wrote.
+      this.#origins.next = isScript(text) ? null : origin;
       await this.#host.load(text, { name: label });
-      session.name ||= name;
       if (where) this.#origins.mark(session.document, session.name, where);
       this.#voice.hush();
       this.#voice.say(FILE_WORDS.opened(session.name, covers));
@@ -99,7 +96,7 @@ export class Opening {
       if (document.activeElement === document.body) this.#host.dismiss();
       return true;
     } catch (error) {
-      this.#refuse(error, label);
+      this.#refuse(error, called);
       return false;
     } finally {
       this.#origins.next = null;
@@ -109,8 +106,6 @@ export class Opening {
   #refuse(error: unknown, label: string): void {
     this.#voice.say(FILE_WORDS.notOpened(label));
     const another = { label: FILE_WORDS.openAnother, run: () => void this.choose() };
-    this.#voice.notify(sentence(error), another);
+    this.#voice.notify(messageOf(error), another);
   }
 }
-
-export const baseName = (file: string): string => file.replace(/(\.script)?\.(rotund|json)$/i, '');

@@ -10,7 +10,7 @@ import { actionsBar } from './actionsBar.ts';
 import { SketchApi } from './api.ts';
 import { chip, meter, notice, type PanelName, rail, status, topBar } from './controls.ts';
 import { dropVeil } from './dropVeil.ts';
-import { messageOf } from './events.ts';
+import { messageOf, renamed } from './events.ts';
 import { fileLayout } from './fileLayout.ts';
 import { Files } from './files.ts';
 import { fileTray } from './fileTray.ts';
@@ -36,9 +36,6 @@ import { PART_WORDS, WORDS } from './words.ts';
 
 /** Nothing in these changes the drawing where people may only look. */
 const LOOKING_PANELS: readonly PanelName[] = ['settings', 'menu', 'help'];
-
-/** twice the resolution of a picture of 2400 × 1800 */
-const FINE_TEXELS = 18e6;
 
 // What is marked internal is for the controls and is left out of the package’s types.
 export class RotundSketch extends SketchApi {
@@ -76,6 +73,8 @@ export class RotundSketch extends SketchApi {
   #sizes: ResizeObserver | null = null;
   #seen: IntersectionObserver | null = null;
   #media: AbortController | null = null;
+  /** the name the page last heard */
+  #told = '';
   #viewKey = '';
 
   constructor() {
@@ -105,6 +104,11 @@ export class RotundSketch extends SketchApi {
   protected override firstUpdated(): void {
     // After this update: what starts asks for another.
     void this.updateComplete.then(() => this.isConnected && !this.#router && this.#start());
+  }
+
+  /** @internal */
+  protected override restored(): Promise<boolean> {
+    return this.files.keeping?.restored ?? super.restored();
   }
 
   /** @internal */
@@ -153,8 +157,8 @@ export class RotundSketch extends SketchApi {
       get backend() {
         return sketch.backend;
       },
-      get lineTexels() {
-        return sketch.quality === 'fine' ? FINE_TEXELS : undefined;
+      get fine() {
+        return sketch.quality === 'fine';
       },
       show: (scene) => this.#show(scene),
       lose: () => this.#lose(),
@@ -244,7 +248,7 @@ export class RotundSketch extends SketchApi {
       !session.document.draft &&
       !session.state.wet;
     const around = {
-      before: html`${gizmo(session, this)} ${empty && (session.noPicture?.told ?? true) ? html`<div class="start ${this.files.samples.list.length > 0 ? 'filled' : ''}">${hint()}${gallery(session, this)}</div>` : nothing} ${fileTray(session, this)}`,
+      before: html`${gizmo(session, this)} ${empty && (session.noPicture?.told ?? true) ? html`<div class="start ${this.files.samples.list.length > 0 ? 'filled' : ''}">${hint()}${gallery(this)}</div>` : nothing} ${fileTray(session, this)}`,
       after: html`${rail(session, this)} ${meter(session)}
         ${actionsBar(session, this)} ${chip(session, this)}`,
     };
@@ -300,8 +304,16 @@ export class RotundSketch extends SketchApi {
   /** @internal */
   protected override updated(changed: PropertyValues): void {
     super.updated(changed);
+    this.#tellName();
     if (changed.has('theme')) this.#adapt();
     if (changed.has('open')) this.#panelFocus.moved(this.renderRoot as ShadowRoot, this.#find('.stage'));
+  }
+
+  #tellName(): void {
+    const { name } = this.session;
+    if (name === this.#told) return;
+    this.#told = name;
+    this.dispatchEvent(renamed(name));
   }
 
   /** After each frame: the ink over it, and what hangs on the camera. */

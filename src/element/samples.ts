@@ -21,7 +21,7 @@ export class Samples {
   async show(address: string | null): Promise<void> {
     if (address === this.#address) return;
     this.#address = address;
-    const list = address === null ? [] : await fetchList(new URL(address, document.baseURI)).catch(() => []);
+    const list = address === null ? [] : await fetchList(address).catch(() => []);
     // Without samples there is still the pen: nobody has to hear of it.
     if (this.#address !== address) return;
     this.list = list;
@@ -29,7 +29,8 @@ export class Samples {
   }
 }
 
-async function fetchList(address: URL): Promise<Sample[]> {
+async function fetchList(written: string): Promise<Sample[]> {
+  const address = new URL(written, document.baseURI);
   const answer = await fetch(address);
   const entries: unknown = answer.ok ? await answer.json() : [];
   const resolve = (path: string) => new URL(path, address).href;

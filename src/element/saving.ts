@@ -1,13 +1,13 @@
 /** Saving: to the file a drawing came from, or to another one; and the way it was drawn, as a script. */
 import type { Drawing } from '../document/drawing.ts';
-import { serialize, serializeScript } from '../document/serialize.ts';
+import { nameOf, serialize, serializeScript } from '../document/serialize.ts';
 import { fileName } from '../export/names.ts';
+import { messageOf } from './events.ts';
 import { type Saved, save } from './fileAccess.ts';
 import type { FilesHost } from './files.ts';
-import { baseName } from './opening.ts';
 import type { Origins } from './origins.ts';
 import { isBlank } from './snapshot.ts';
-import { sentence, type Voice } from './voice.ts';
+import type { Voice } from './voice.ts';
 import { FILE_WORDS } from './words.ts';
 
 const LONGEST_NAME = 80;
@@ -41,7 +41,7 @@ export class Saving {
     } catch (error) {
       this.#voice.say(FILE_WORDS.notSaved);
       const another = { label: FILE_WORDS.saveAs, run: () => void this.save(true) };
-      this.#voice.notify(FILE_WORDS.notWritten(sentence(error)), another);
+      this.#voice.notify(FILE_WORDS.notWritten(messageOf(error)), another);
     }
   }
 
@@ -60,7 +60,7 @@ export class Saving {
   /** The name that a person gave in the browser's dialog is the drawing's. */
   async #named(drawing: Drawing, proposed: string, handle: FileSystemFileHandle | null): Promise<Drawing> {
     if (!handle || handle.name === proposed || handle.name === this.#origins.current?.name) return drawing;
-    const named = { ...drawing, name: baseName(handle.name) };
+    const named = { ...drawing, name: nameOf(handle.name) };
     await save(serialize(named), handle.name, handle);
     return named;
   }
@@ -73,7 +73,7 @@ export class Saving {
       const { way } = await save(serializeScript(script, drawing), name, null);
       if (way !== 'cancelled') this.#voice.say(FILE_WORDS.saved(name));
     } catch (error) {
-      this.#voice.notify(FILE_WORDS.notWritten(sentence(error)));
+      this.#voice.notify(FILE_WORDS.notWritten(messageOf(error)));
     }
   }
 

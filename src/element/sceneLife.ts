@@ -14,8 +14,8 @@ export interface SceneOwner {
   /** A canvas that had one context, or lost it with its device, gives no other one. */
   freshCanvas(): void;
   readonly backend: BackendChoice;
-  /** most texels lines are found in; undefined: what the scene can afford */
-  readonly lineTexels: number | undefined;
+  /** lines for a picture, where time is no matter */
+  readonly fine: boolean;
   /** a scene is there */
   show(scene: Scene): void;
   /** the device was lost: the scene goes, another one comes */
@@ -94,9 +94,7 @@ export class SceneLife {
     try {
       const { createScene } = await this.#load();
       if (this.#life !== life) return null;
-      const { lineTexels } = this.#owner;
-      const limits = lineTexels === undefined ? {} : { lineTexels };
-      const scene = await createScene(this.#canvas(), { ...wish, ...limits });
+      const scene = await createScene(this.#canvas(), { ...wish, fine: this.#owner.fine });
       if (this.#life !== life) scene.dispose();
       else this.#show(scene);
       return null;

@@ -3,7 +3,7 @@
  * controls; the element draws those from here and calls back. Pointer moves only mark what is stale: the frame
  * does the work, and wet ink is drawn before it.
  */
-import { draftIsWhole } from '../document/build.ts';
+import { draftIsWhole, RESOLUTION } from '../document/build.ts';
 import type { Command } from '../document/command/index.ts';
 import { type Brush, type Document, EMPTY_DOCUMENT, readingOf } from '../document/document.ts';
 import { type Drawing, FRONT_VIEW } from '../document/drawing.ts';
@@ -425,6 +425,6 @@ export class Session implements Bench, Viewport {
   /** What the second line of the status shows. */
   get detail(): string {
     const kind = readingOf(this.document) ?? this.document.parts.at(-1)?.kind;
-    return kind ? `${SURFACE[kind].name} · 64 × 64 mesh` : '';
+    return kind ? `${SURFACE[kind].name} · ${RESOLUTION.u} × ${RESOLUTION.v} mesh` : '';
   }
 }

@@ -1,7 +1,14 @@
 /** What a picture is asked for with: checked, and turned into what the scene takes. */
 import { solids } from '../document/build.ts';
 import type { Document } from '../document/document.ts';
-import { BACKGROUNDS, type Background, type Look, STYLES, type Style } from '../document/look.ts';
+import {
+  BACKGROUNDS,
+  type Background,
+  type Look,
+  PICTURE_SIDE,
+  STYLES,
+  type Style,
+} from '../document/look.ts';
 import { FileError } from '../document/serialize.ts';
 import { type Quat, quat } from '../math/vec.ts';
 import type { PictureOptions } from '../scene/index.ts';
@@ -43,9 +50,6 @@ export interface Now {
   readonly fit: boolean;
 }
 
-/** px: as the scene has it */
-const SIDE = { least: 16, most: 8192 } as const;
-
 /** @internal */
 export function pictureOptions(shot: Shot, now: Now): PictureOptions {
   const width = pixels('width', shot.width ?? now.width);
@@ -62,8 +66,8 @@ export function pictureOptions(shot: Shot, now: Now): PictureOptions {
 }
 
 function pixels(place: string, value: number): number {
-  if (Number.isInteger(value) && value >= SIDE.least && value <= SIDE.most) return value;
-  throw wrong(place, `a whole number of pixels from ${SIDE.least} to ${SIDE.most}`, value);
+  if (Number.isInteger(value) && value >= PICTURE_SIDE.least && value <= PICTURE_SIDE.most) return value;
+  throw wrong(place, `a whole number of pixels from ${PICTURE_SIDE.least} to ${PICTURE_SIDE.most}`, value);
 }
 
 function oneOf<T extends string>(place: string, known: readonly T[], value: T): T {
@@ -101,7 +105,9 @@ export async function pngOf(image: ImageData): Promise<Blob> {
   const canvas = document.createElement('canvas');
   canvas.width = image.width;
   canvas.height = image.height;
-  canvas.getContext('2d')?.putImageData(image, 0, 0);
+  const context = canvas.getContext('2d');
+  if (!context) throw new Error('This browser has no room for the picture.');
+  context.putImageData(image, 0, 0);
   return new Promise((resolve, reject) =>
     canvas.toBlob(
       (blob) => (blob ? resolve(blob) : reject(new Error('This picture is too large.'))),

@@ -3,6 +3,9 @@ import type { Drawing } from '../document/drawing.ts';
 import { FileError, nameOf, parse } from '../document/serialize.ts';
 
 export interface SourceOwner {
+  /** Whether the address is to be read at all: what the browser kept goes before what a page begins with. */
+  wanted(): Promise<boolean>;
+  skipped(): void;
   opened(drawing: Drawing): void;
   failed(error: unknown): void;
 }
@@ -22,7 +25,7 @@ export class Source {
 
   /** `now`: there is a page that asks; else it waits for `resume`. */
   open(address: string | null, now: boolean): void {
-    this.close();
+    this.pause();
     this.#address = address;
     if (now) this.resume();
   }
@@ -37,13 +40,28 @@ export class Source {
     this.settled = this.#read(address, stop.signal);
   }
 
-  close(): void {
+  /** The element leaves the page. */
+  pause(): void {
     this.#stop?.abort();
     this.#stop = null;
     this.busy = false;
   }
 
+  /** Something else was opened. */
+  forget(): void {
+    this.pause();
+    this.#address = null;
+  }
+
   async #read(address: string, signal: AbortSignal): Promise<void> {
+    const wanted = await this.#owner.wanted();
+    if (signal.aborted) return;
+    if (!wanted) {
+      this.busy = false;
+      this.#address = null;
+      this.#owner.skipped();
+      return;
+    }
     const result = await fetched(address, signal)
       .then((text) => named(parse(text, fileName(address)), fileName(address)))
       .catch((error: unknown) => ({ error }));

@@ -47,7 +47,11 @@ export function createVault(key: string): Vault {
   const database = () => {
     opened ??= openDB('rotund', 1, {
       upgrade: (db) => void db.createObjectStore(STORE),
-      blocking: () => void opened?.then((db) => db.close()).finally(forget),
+      blocking: () =>
+        void opened
+          ?.then((db) => db.close())
+          .catch(forget)
+          .finally(forget),
       terminated: forget,
     });
     opened.catch(forget);
@@ -69,6 +73,10 @@ export function createVault(key: string): Vault {
       await ended;
     },
     remove: async (slot) => (await database()).delete(STORE, place(slot)),
-    close: () => void opened?.then((db) => db.close()).finally(forget),
+    close: () =>
+      void opened
+        ?.then((db) => db.close())
+        .catch(forget)
+        .finally(forget),
   };
 }

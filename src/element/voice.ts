@@ -31,8 +31,6 @@ export class Voice {
   }
 }
 
-export const sentence = (error: unknown): string => (error instanceof Error ? error.message : String(error));
-
 /** The words that were said are on the screen; in a page that nobody sees, a moment later. */
 export const painted = (): Promise<void> =>
   new Promise((resolve) => {

@@ -89,7 +89,7 @@ export const FILE_WORDS = {
     `${name || 'Drawing'} opened${covers ? '. Undo brings back your drawing' : ''}`,
   notOpened: (name: string) => `${name} was not opened`,
   openAnother: 'Open another',
-  tooLarge: (name: string) => `${name} is larger than 100 MB; no drawing is.`,
+  tooLarge: (name: string) => `${name} is larger than 256 MiB; no drawing is.`,
   firstOf: (count: number, name: string) => `${name} opened, the first of ${count} files`,
   drop: 'Drop a drawing to open it',
   dropHint: 'Undo brings back what is here.',
@@ -104,6 +104,7 @@ export const FILE_WORDS = {
   saveIt: 'Save it as a file',
   full: 'Not saved: storage is full.',
   blocked: 'Not saved: this browser does not let the page keep drawings.',
+  noWriters: 'What writes these files could not be fetched.',
   unreadable:
     'The drawing kept here could not be read. It was put aside as it is, and nothing writes over it.',
   elsewhere: 'Open in another tab. Only one of the two is kept.',

@@ -56,7 +56,7 @@ function materialOf(document: Document, colour: string): Material {
 
 function nodeOf(document: Document, buffer: Buffer, { name, mesh }: FilePart, material: Material) {
   const accessor = (type: 'SCALAR' | 'VEC2' | 'VEC3', array: Uint32Array | Float32Array): Accessor =>
-    document.createAccessor().setType(type).setArray(array.slice()).setBuffer(buffer);
+    document.createAccessor().setType(type).setArray(array).setBuffer(buffer);
   const primitive = document
     .createPrimitive()
     .setMaterial(material)

@@ -1,10 +1,10 @@
 /** A mesh somewhere else: positions moved and turned, normals turned; what does not change is shared. */
-import { type Placement, UNMOVED } from '../math/placement.ts';
+import { isUnmoved, type Placement, UNMOVED } from '../math/placement.ts';
 import type { Vec3 } from '../math/vec.ts';
 import type { Mesh } from './mesh.ts';
 
 export function placed(mesh: Mesh, placement: Placement): Mesh {
-  if (placement === UNMOVED) return mesh;
+  if (isUnmoved(placement)) return mesh;
   return {
     ...mesh,
     positions: mapped(mesh.positions, placement, placement.translation),

@@ -5,7 +5,7 @@ import type { Look } from './look.ts';
 import type { SceneItem } from './part.ts';
 import { type Hit, pick } from './pick.ts';
 import { type PictureOptions, Studio, takePicture } from './picture.ts';
-import { LINE_TEXELS, LINE_TEXELS_IN_SOFTWARE, Pipeline } from './pipeline.ts';
+import { FINE_LINE_TEXELS, LINE_TEXELS, LINE_TEXELS_IN_SOFTWARE, Pipeline } from './pipeline.ts';
 import { type Backend, createRenderer, type SceneRenderer } from './renderer.ts';
 
 export type { DeviceDescription } from '../gpu/device.ts';
@@ -62,6 +62,8 @@ export interface SceneOptions {
   readonly because?: string | undefined;
   /** the most texels lines are found in: twice the screen's resolution as long as they suffice; 12 bytes each */
   readonly lineTexels?: number;
+  /** lines for a picture, where time is no matter */
+  readonly fine?: boolean;
 }
 
 /** ms: what failed because the device was lost is heard of sooner than the loss. */
@@ -82,7 +84,7 @@ function makeScene(made: SceneRenderer, options: SceneOptions): Scene {
   const { renderer, device } = made;
   const rig = new CameraRig();
   const affordable = made.description?.software ? LINE_TEXELS_IN_SOFTWARE : LINE_TEXELS;
-  const lineTexels = options.lineTexels ?? affordable;
+  const lineTexels = options.lineTexels ?? (options.fine ? FINE_LINE_TEXELS : affordable);
   const pipeline = new Pipeline(renderer, { lineTexels, maxSide: made.maxSide });
   let studio: Studio | null = null;
   let drawing: 'not yet' | 'begun' | 'failed' = 'not yet';

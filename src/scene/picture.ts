@@ -6,11 +6,12 @@
  * are waited for. The materials stay, because making them takes longer than drawing with them.
  */
 import type { WebGPURenderer } from 'three/webgpu';
+import { PICTURE_SIDE } from '../document/look.ts';
 import type { View } from '../stroke/stroke.ts';
 import { CameraRig } from './cameraRig.ts';
 import type { Look } from './look.ts';
 import type { SceneItem } from './part.ts';
-import { Pipeline } from './pipeline.ts';
+import { FINE_LINE_TEXELS, Pipeline } from './pipeline.ts';
 import type { SceneRenderer } from './renderer.ts';
 import { makeOutput } from './targets.ts';
 
@@ -22,12 +23,6 @@ export interface PictureOptions {
   readonly look: Look;
   readonly items: readonly SceneItem[];
 }
-
-/** pixels a side */
-const LEAST = 16;
-const MOST = 8192;
-/** Twice the resolution of a picture of 2400 × 1800: nobody waits for the pen meanwhile. */
-const LINE_TEXELS = 18e6;
 
 export async function takePicture(
   made: SceneRenderer,
@@ -46,10 +41,11 @@ export async function takePicture(
 }
 
 function checkSize(width: number, height: number, maxSide: number): void {
-  const most = Math.min(MOST, maxSide);
+  const { least } = PICTURE_SIDE;
+  const most = Math.min(PICTURE_SIDE.most, maxSide);
   for (const side of [width, height]) {
-    if (Number.isInteger(side) && side >= LEAST && side <= most) continue;
-    throw new Error(`A picture has ${LEAST} to ${most} pixels a side; ${width} × ${height} was asked for.`);
+    if (Number.isInteger(side) && side >= least && side <= most) continue;
+    throw new Error(`A picture has ${least} to ${most} pixels a side; ${width} × ${height} was asked for.`);
   }
 }
 
@@ -62,7 +58,7 @@ export class Studio {
 
   constructor({ renderer, maxSide }: SceneRenderer) {
     this.#renderer = renderer;
-    this.#pipeline = new Pipeline(renderer, { lineTexels: LINE_TEXELS, maxSide, output: this.#output });
+    this.#pipeline = new Pipeline(renderer, { lineTexels: FINE_LINE_TEXELS, maxSide, output: this.#output });
   }
 
   /** Draws and asks for the pixels; nothing large is left when it returns. */

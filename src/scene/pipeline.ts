@@ -39,6 +39,8 @@ import { makeTargets } from './targets.ts';
 const LINE_DENSITY = 4;
 /** … and in at most this many texels (12 bytes each), unless the scene's options say otherwise. */
 export const LINE_TEXELS = 9e6;
+/** For pictures, where time is no matter: twice the resolution of 2400 × 1800 pixels. */
+export const FINE_LINE_TEXELS = 18e6;
 /** A software adapter takes .2 µs for a texel. */
 export const LINE_TEXELS_IN_SOFTWARE = 1e6;
 /** No normal, encoded: what HBED compares an outline with. */

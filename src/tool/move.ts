@@ -18,8 +18,7 @@ import type { Bench, Pen, State } from './tool.ts';
 import type { Viewport } from './viewport.ts';
 
 /** What the parts are taken by. */
-export const HANDLES = ['view', 'x', 'y', 'z', 'surface'] as const;
-export type Handle = (typeof HANDLES)[number];
+export type Handle = 'view' | 'x' | 'y' | 'z' | 'surface';
 
 export const AXIS: Readonly<Record<'x' | 'y' | 'z', Vec3>> = { x: [1, 0, 0], y: [0, 1, 0], z: [0, 0, 1] };
 

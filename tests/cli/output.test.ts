@@ -61,6 +61,8 @@ describe('output', () => {
     expect(() => checkOutput(folder, '-')).toThrow('found a folder');
     if (existsSync('/dev/null')) expect(() => checkOutput('/dev/null', '-')).toThrow('device');
     expect(() => checkOutput(at('new.obj'), at('in.rotund'))).not.toThrow();
+    expect(() => checkOutput(at('in.rotund/x/out.obj'), '-')).toThrow('a part of the path is a file');
+    expect(() => checkOutput(at(`${'long'.repeat(100)}/out.obj`), '-')).toThrow('the name is too long');
   });
 
   it('knows the name without folder and extension', () => {

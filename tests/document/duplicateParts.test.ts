@@ -29,6 +29,21 @@ describe('duplicateParts', () => {
     expect(solidOf(copied.parts[3]!)!.mesh.indices).toBe(solidOf(three.parts[1]!)!.mesh.indices);
   });
 
+  it('numbers 4,000 copies of one name without counting from the start again', () => {
+    const [part] = three.parts;
+    const parts = Array.from({ length: 4000 }, (_, i) => ({ ...part!, id: `part-${i + 1}` }));
+    const many: Document = { ...three, parts, nextId: 4001 };
+    const copied = copy(many, ...parts.map(({ id }) => id));
+    expect(new Set(copied.parts.slice(4000).map(({ name }) => name)).size).toBe(4000);
+    expect(copied.parts.at(-1)!.name).toMatch(/ 40\d\d$/);
+  });
+
+  it('cuts no character in half', () => {
+    const named = apply(three, { type: 'renamePart', id: 'part-1', name: `${'x'.repeat(77)}🌷` });
+    const { name } = copy(named, 'part-1').parts.at(-1)!;
+    expect(name).toBe(`${'x'.repeat(77)} 2`);
+  });
+
   it('numbers names: the first number that is free', () => {
     const named = apply(three, { type: 'renamePart', id: 'part-1', name: 'Stem' });
     const once = copy(named, 'part-1');

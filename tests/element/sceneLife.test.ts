@@ -41,7 +41,7 @@ function element(make: { now: Maker }, backend: 'auto' | 'webgl2' = 'auto') {
       canvas = {};
     },
     backend,
-    lineTexels: undefined,
+    fine: false,
     show: (scene) => {
       shown.push(scene as unknown as FakeScene);
       said.push(scene.backend);

@@ -9,6 +9,8 @@ const TEXT = serialize({ ...EMPTY_DRAWING, name: '' });
 
 let opened: Drawing[];
 let errors: unknown[];
+let wanted: boolean;
+let skipped: number;
 let source: Source;
 /** answers of the server, by path */
 let answers: Record<string, () => Promise<Response>>;
@@ -17,7 +19,14 @@ beforeEach(() => {
   opened = [];
   errors = [];
   answers = { '/pear.rotund': async () => new Response(TEXT) };
-  source = new Source({ opened: (drawing) => opened.push(drawing), failed: (error) => errors.push(error) });
+  wanted = true;
+  skipped = 0;
+  source = new Source({
+    wanted: async () => wanted,
+    skipped: () => void skipped++,
+    opened: (drawing) => opened.push(drawing),
+    failed: (error) => errors.push(error),
+  });
   vi.stubGlobal('document', { baseURI: 'http://page.test/folder/' });
   vi.stubGlobal('fetch', (url: URL, { signal }: RequestInit) => {
     const answer = answers[url.pathname]?.() ?? Promise.reject(new TypeError('Failed to fetch'));
@@ -77,7 +86,7 @@ describe('a source', () => {
     source.open('/pear.rotund', false);
     expect(source.busy).toBe(false);
     source.resume();
-    source.close();
+    source.pause();
     await source.settled;
     expect(opened).toEqual([]);
     source.resume();
@@ -85,5 +94,22 @@ describe('a source', () => {
     expect(opened).toHaveLength(1);
     source.resume();
     expect(source.busy).toBe(false);
+  });
+
+  it('that something else took the place of is not read when the element comes back', async () => {
+    source.open('/pear.rotund', true);
+    source.forget();
+    source.resume();
+    await source.settled;
+    expect(opened).toEqual([]);
+  });
+
+  it('is not read where the page has kept something', async () => {
+    wanted = false;
+    source.open('/pear.rotund', true);
+    await source.settled;
+    source.resume();
+    await source.settled;
+    expect([opened, skipped, source.busy]).toEqual([[], 1, false]);
   });
 });

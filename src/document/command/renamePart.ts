@@ -16,9 +16,9 @@ export const renamePart: CommandKind<'renamePart', { readonly id: string; readon
 };
 
 /** No half of a character stays at the end. */
-function cut(name: string): string {
+export function cut(name: string, length = LONGEST_NAME): string {
   return name
-    .slice(0, LONGEST_NAME)
+    .slice(0, length)
     .replace(/[\ud800-\udbff]$/, '')
     .trimEnd();
 }
