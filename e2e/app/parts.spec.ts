@@ -230,6 +230,24 @@ test('the square moves a part by the dragged pixels, as one undo step; Escape in
   expect((await facts(page)).middles).toEqual(before.middles);
 });
 
+test('the keys still answer when what had the focus is gone', async ({ page }) => {
+  await open(page);
+  await select(page);
+  await page.keyboard.press('Control+a');
+  await page.locator('.acts').getByRole('button', { name: 'Delete' }).click();
+  expect((await facts(page)).names).toEqual([]);
+  await page.keyboard.press('Control+z');
+  expect((await facts(page)).names).toHaveLength(2);
+  await page.keyboard.press('Control+a');
+  await page.getByRole('button', { name: 'Move in the view plane' }).focus();
+  await page.keyboard.press('ArrowRight');
+  await page.keyboard.press('Control+z');
+  await page.keyboard.press('Delete');
+  expect((await facts(page)).names).toEqual([]);
+  await page.keyboard.press('Control+z');
+  expect((await facts(page)).names).toHaveLength(2);
+});
+
 test('a handle dragged out of the picture is still in the hand, and lets go there', async ({ page }) => {
   await open(page);
   await select(page);

@@ -2,7 +2,7 @@
 import AxeBuilder from '@axe-core/playwright';
 import { expect, test } from '@playwright/test';
 import { findChromium, QUIET } from '../../scripts/chromium.mjs';
-import { drawVase, listen, open, serious, TUBE } from './life.ts';
+import { drawVase, LEFT, listen, open, serious, TUBE } from './life.ts';
 
 test.use({
   viewport: { width: 800, height: 600 },
@@ -48,6 +48,8 @@ test('strokes are shown as ink, kept, saved, exported and opened again', async (
   await drawVase(page, pen);
   await pen.draw(TUBE);
   await expect.poll(() => inkNear(TUBE[12]!)).toBeGreaterThan(0);
+  // What was kept, too.
+  expect(await inkNear(LEFT[12]!)).toBeGreaterThan(0);
   const made = await page.evaluate(async () => {
     const sketch = document.querySelector('rotund-sketch')!;
     const text = sketch.save();

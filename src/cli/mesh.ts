@@ -1,5 +1,5 @@
 /** `rotund mesh`: replays a drawing or a script and writes its solids. */
-import { type Resolution, type Solid, solidOf } from '../document/build.ts';
+import { hasSurface, type Resolution, type Solid, solidOf } from '../document/build.ts';
 import type { Document, Part } from '../document/document.ts';
 import { ExportError, modelOf, type OutFile } from '../export/index.ts';
 import { type Args, inputOf } from './args.ts';
@@ -59,8 +59,6 @@ function built(part: Part, quads: Resolution, name: string): Solid | null {
     throw new Problem(`${name}, part “${part.name}”: its surface cannot be built: ${reason}`);
   }
 }
-
-const hasSurface = (solid: Solid | null): solid is Solid => solid !== null && solid.mesh.indices.length > 0;
 
 /** The file asked for goes where it was asked for, the others beside it. */
 function placed(files: readonly OutFile[], out: string, input: string) {

@@ -29,6 +29,7 @@ export function checkOutput(path: string, input: string): void {
   if (!stats.isDirectory()) throw new Problem(`${path}: ${folder} is not a folder`);
   const there = lookedUp(path);
   if (there?.isDirectory()) throw new Problem(`${path}: expected the name of a file, found a folder`);
+  if (there?.isSymbolicLink()) throw new Problem(`${path}: is a link to a file that does not exist`);
   if (there && !there.isFile())
     throw new Problem(`${path}: expected a file or a new name, found a device or pipe`);
   if (input !== '-' && real(path) === real(input))

@@ -13,7 +13,9 @@ export class Problem extends Error {
 /** A problem of the file system, in words. */
 export function fileProblem(path: string, doing: string, error: unknown): Problem {
   const code = (error as { code?: unknown } | null)?.code;
-  const reason = (typeof code === 'string' && REASONS[code]) || String(code ?? error);
+  // The folder was there a moment ago.
+  const folder = code === 'ENOENT' && doing === 'written' ? 'its folder takes no files' : null;
+  const reason = folder ?? ((typeof code === 'string' && REASONS[code]) || String(code ?? error));
   return new Problem(`${path}: cannot be ${doing}: ${reason}`);
 }
 

@@ -131,3 +131,7 @@ export function draftSolids(document: Document): Solid[] {
   drafts.set(strokes, { brush: document.brush, kind, solids: found });
   return found;
 }
+
+/** Strokes may enclose nothing. */
+export const hasSurface = (solid: Solid | null): solid is Solid =>
+  solid !== null && solid.mesh.indices.length > 0;

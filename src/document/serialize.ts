@@ -80,10 +80,14 @@ function carriedOut(commands: readonly Command[], file: string): Document {
 export const nameOf = (file: string): string =>
   [...file.replace(/^.*[\\/]|(\.script)?\.(rotund|json)$/gs, '')].slice(0, LIMITS.drawingName).join('');
 
-/** Whether a text that can be read is a list of commands, bare or with a head. */
+/** Whether a text is a list of commands, bare or with a head; it may be no drawing at all. */
 export function isScript(text: string): boolean {
-  const data: unknown = JSON.parse(text);
-  return Array.isArray(data) || (data as { format?: unknown }).format === SCRIPT_FORMAT;
+  try {
+    const data = readJson(text, '');
+    return Array.isArray(data) || (data as { format?: unknown }).format === SCRIPT_FORMAT;
+  } catch {
+    return false;
+  }
 }
 
 /** The text of a `.rotund` file. */

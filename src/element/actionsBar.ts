@@ -14,8 +14,7 @@ export function actionsBar(session: Session, actions: Actions): TemplateResult |
   if (parts.length === 0 || session.document.draft || session.tool !== 'select') return nothing;
   const hidden = parts.every((part) => part.hidden);
   const docked = actions.open === 'parts' || actions.open === 'settings';
-  return html`<div class="acts card chrome ${docked ? 'docked' : ''}" part="actions" role="toolbar" aria-label=${partsName(parts)}
-    @click=${(event: Event) => afterwards(event, session)}>
+  return html`<div class="acts card chrome ${docked ? 'docked' : ''}" part="actions" role="toolbar" aria-label=${partsName(parts)}>
     ${iconButton(null, PART_WORDS.colour, () => actions.toggle('palette'), {
       expanded: actions.open === 'palette',
       body: html`<span class="swatch">${ball('toon', parts[0]!.brush.colour)}</span>`,
@@ -26,11 +25,4 @@ export function actionsBar(session: Session, actions: Actions): TemplateResult |
     <span class="separator"></span>
     ${iconButton('trash', action.remove, () => removeSelection(session), { class: 'danger', shortcut: 'Delete' })}
   </div>`;
-}
-
-/** The bar goes with the last selected part, and the focus must not go with it. */
-function afterwards(event: Event, { selection }: Session): void {
-  if (selection.length > 0) return;
-  const root = (event.currentTarget as Element).getRootNode() as ParentNode;
-  root.querySelector<HTMLElement>('.stage')?.focus({ preventScroll: true });
 }

@@ -245,7 +245,8 @@ export abstract class SketchApi extends LitElement {
 
   /** A PNG of exactly this size, of the kept parts, nothing selected; waits for `src` and for the scene. */
   async picture(shot: Shot = {}): Promise<Blob> {
-    await this.updateComplete;
+    // An element that never was on a page never completes an update either.
+    if (this.isConnected) await this.updateComplete;
     await this.declared.settled();
     if (!this.isConnected)
       throw new Error('rotund-sketch: there is a picture only of an element that is on a page.');
@@ -314,6 +315,12 @@ export abstract class SketchApi extends LitElement {
   }
 
   /**
+   * What the page gave is open.
+   * @internal
+   */
+  protected began(): void {}
+
+  /**
    * Says what went wrong; true when the page leaves telling the person to the element.
    * @internal
    */
@@ -340,6 +347,7 @@ export abstract class SketchApi extends LitElement {
         sketch.renderStyle = style;
       },
       restored: () => this.restored(),
+      began: () => this.began(),
       fail: (error) => this.fail(error),
       ready: () => {
         this.pictured = true;

@@ -40,13 +40,16 @@ export class CameraMoves {
   showAll(animate = true): void {
     const { document } = this.#session;
     const meshes = [...solids(document), ...draftSolids(document)].map(({ mesh }) => mesh);
-    this.#move((rig) => rig.fit(boxOf(meshes), animate));
+    this.#move((rig) => rig.fit(boxOf(meshes), animate, this.#session.margins()));
   }
 
   /** Comes to where these parts fill the picture. */
   show(ids: readonly string[]): void {
     const meshes = solids(this.#session.document).filter(({ id }) => ids.includes(id));
-    if (meshes.length > 0) this.#move((rig) => rig.fit(boxOf(meshes.map(({ mesh }) => mesh)), true));
+    if (meshes.length > 0) {
+      const box = boxOf(meshes.map(({ mesh }) => mesh));
+      this.#move((rig) => rig.fit(box, true, this.#session.margins()));
+    }
   }
 
   reset(): void {

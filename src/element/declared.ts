@@ -18,6 +18,8 @@ export interface DeclaredHost {
   /** Resolves when what the browser kept of this drawing is open, or there is nothing; true: it is open. */
   restored(): Promise<boolean>;
   renderStyle: Style | null;
+  /** the drawing that is open is just so where it came from */
+  began(): void;
   /** Says what went wrong; true when the page leaves telling the person to the element. */
   fail(error: unknown): boolean;
   /** the first picture of a scene is there */
@@ -53,6 +55,7 @@ export class Declared {
     const fresh = isBlank(session.drawing) && past.length + future.length === 0 && !session.state.wet;
     this.#begun = true;
     session.open(this.styled(drawing), { fresh });
+    this.#host.began();
     if (session.notice === this.#notice) session.notice = null;
     this.#announce();
   }

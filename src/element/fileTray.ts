@@ -17,8 +17,7 @@ export function fileTray(session: Session, actions: Actions): TemplateResult {
 function named({ name }: Session, actions: Actions): TemplateResult {
   const { files, open } = actions;
   const word = FILE_WORDS.tray[files.kept];
-  return html`<button class="b title" aria-expanded=${open === 'file'} @click=${() => actions.toggle('file')}>
+  return html`<button class="b title" aria-label="${name || FILE_WORDS.untitled}${word ? `, ${word.toLowerCase()}` : ''}: file" aria-expanded=${open === 'file'} @click=${() => actions.toggle('file')}>
     <b>${name || FILE_WORDS.untitled}</b> <small class=${files.kept}>${word}</small>${icon('down', 20)}
-    <span class="hidden">: file</span>
   </button>`;
 }

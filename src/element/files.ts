@@ -129,7 +129,7 @@ export class Files implements ReactiveController {
     if (where === 'file') return 'saved';
     if (autosave && !autosave.pending) return 'kept';
     if (autosave?.state === 'on' && autosave.error === null) return 'saving';
-    return where === 'sample' ? 'none' : 'unsaved';
+    return where ? 'none' : 'unsaved';
   }
 
   /** Only what neither the browser nor a file has is lost with the page. */

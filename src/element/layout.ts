@@ -120,11 +120,11 @@ export const layout = css`
   .chip.narrow .what, .chip.narrow .word { display: none; }
 
   /* status and view ball */
-  .status { position: absolute; left: 1.25rem; bottom: var(--gap); font-size: 0.8125rem; line-height: 1.125rem; color: var(--ink-2); display: flex; flex-direction: column; gap: 0.125rem; max-width: 21rem; pointer-events: none; }
-  .status b { color: var(--ink); font-weight: 600; }
+  .status { position: absolute; left: 1.25rem; bottom: var(--gap); font-size: 0.8125rem; line-height: 1.125rem; color: var(--over-2); display: flex; flex-direction: column; gap: 0.125rem; max-width: 21rem; pointer-events: none; }
+  .status b { color: var(--over); font-weight: 600; }
   .dot { display: inline-block; width: 0.5rem; height: 0.5rem; border-radius: 50%; background: var(--good); margin-right: 0.375rem; }
   .dot.slow { background: var(--warn); }
-  .view { position: absolute; right: 1.25rem; bottom: var(--gap); width: 4.75rem; text-align: center; font-size: 0.75rem; line-height: 1rem; color: var(--ink-2); touch-action: none; }
+  .view { position: absolute; right: 1.25rem; bottom: var(--gap); width: 4.75rem; text-align: center; font-size: 0.75rem; line-height: 1rem; color: var(--over-2); touch-action: none; }
   .view svg { width: 4.75rem; height: 4.75rem; display: block; cursor: grab; overflow: visible; }
   .view text { font: 700 11px var(--font); fill: var(--surface); text-anchor: middle; pointer-events: none; }
 
@@ -174,7 +174,7 @@ export const layout = css`
   @container (max-width: 1099px) {
     .style span { display: none; }
     .style { padding: 0 0.625rem; }
-    .status span + span { display: none; }
+    .status .facts { display: none; }
   }
   @container (max-width: 699px) {
     .app { --gap: 0.5rem; }
@@ -201,7 +201,11 @@ export const layout = css`
     .panel { left: 0.5rem; right: 0.5rem; width: auto; top: auto; bottom: 0; max-height: 70%; border-radius: 1rem 1rem 0 0; }
   }
   @container (max-height: 560px) and (min-width: 700px) {
-    .rail { max-height: calc(100% - 1rem); overflow-y: auto; scrollbar-width: none; }
+    .rail { top: calc(50% + 2rem); max-height: calc(100% - 6rem); overflow-y: auto; scrollbar-width: none; }
+    .rail.named { width: 3.75rem; align-items: center; }
+    .rail.named .name, .rail.named .b > kbd { display: none; }
+    .rail .upright { height: 5rem; }
+    .rail .upright input { width: 5rem; }
     .tray.name { visibility: hidden; }
     .status { left: 5.5rem; }
   }

@@ -17,6 +17,9 @@ export interface Origin {
   readonly handle: FileSystemFileHandle | null;
 }
 
+/** What has a drawing just so: a file, a sample, or the page around the element. */
+export type Where = 'file' | 'sample' | 'page';
+
 interface Around {
   readonly name: string;
   readonly view: Drawing['view'];
@@ -31,7 +34,7 @@ export class Origins {
   current: Origin | null = null;
   /** of what is being opened */
   next: Origin | null = null;
-  readonly #safe = new WeakMap<Document, { readonly name: string; readonly where: 'file' | 'sample' }>();
+  readonly #safe = new WeakMap<Document, { readonly name: string; readonly where: Where }>();
   readonly #turns = new WeakMap<Command, { before: Around; after: Around }>();
   /** as of the last update */
   #last: Drawing;
@@ -50,12 +53,12 @@ export class Origins {
     this.#last = this.#session.drawing;
   }
 
-  /** It is just so in a file, or a sample is just so. */
-  mark(document: Document, name: string, where: 'file' | 'sample'): void {
+  /** It is just so there. */
+  mark(document: Document, name: string, where: Where): void {
     this.#safe.set(document, { name, where });
   }
 
-  where({ document, name }: Drawing): 'file' | 'sample' | null {
+  where({ document, name }: Drawing): Where | null {
     const found = this.#safe.get(document);
     return found?.name === name ? found.where : null;
   }

@@ -5,7 +5,7 @@
 import { html, nothing, type PropertyDeclarations, type PropertyValues, type TemplateResult } from 'lit';
 import { draftIsWhole, draftSolids } from '../document/build.ts';
 import type { Scene } from '../scene/index.ts';
-import { lineColour, PAPER_COLOUR, pencilColour } from '../scene/look.ts';
+import { isDark, lineColour, PAPER_COLOUR, pencilColour } from '../scene/look.ts';
 import { actionsBar } from './actionsBar.ts';
 import { SketchApi } from './api.ts';
 import { chip, meter, notice, type PanelName, rail, status, topBar } from './controls.ts';
@@ -19,6 +19,7 @@ import { gizmo } from './gizmo.ts';
 import { Hands } from './hands.ts';
 import { hint } from './hint.ts';
 import { layout } from './layout.ts';
+import { marginsOf } from './margins.ts';
 import { noPicture, noPictureStyle } from './noPicture.ts';
 import { PanelFocus } from './panelFocus.ts';
 import { panel } from './panels.ts';
@@ -73,6 +74,8 @@ export class RotundSketch extends SketchApi {
   #sizes: ResizeObserver | null = null;
   #seen: IntersectionObserver | null = null;
   #media: AbortController | null = null;
+  /** what of the controls has the focus */
+  #focused: HTMLElement | null = null;
   /** the name the page last heard */
   #told = '';
   #viewKey = '';
@@ -97,6 +100,8 @@ export class RotundSketch extends SketchApi {
     watchSystem(() => this.#adapt(), signal);
     watchPixelRatio(() => this.#resize(), signal);
     this.addEventListener('keydown', (event) => this.#hands.key(event), { signal });
+    for (const type of ['focusin', 'focusout'] as const)
+      this.renderRoot.addEventListener(type, () => this.#noteFocus(), { signal });
     if (this.hasUpdated) this.#start();
   }
 
@@ -104,6 +109,12 @@ export class RotundSketch extends SketchApi {
   protected override firstUpdated(): void {
     // After this update: what starts asks for another.
     void this.updateComplete.then(() => this.isConnected && !this.#router && this.#start());
+  }
+
+  /** @internal */
+  protected override began(): void {
+    const { document: opened, name } = this.session;
+    this.files.origins.mark(opened, name, 'page');
   }
 
   /** @internal */
@@ -233,6 +244,7 @@ export class RotundSketch extends SketchApi {
     ink.width = Math.round(width * devicePixelRatio);
     ink.height = Math.round(height * devicePixelRatio);
     this.session.size = { width, height };
+    this.session.margins = () => marginsOf(this.session.size, this.#bare, this.readOnly);
     this.session.scene?.resize(width, height, devicePixelRatio);
     this.session.update();
   }
@@ -252,7 +264,7 @@ export class RotundSketch extends SketchApi {
       after: html`${rail(session, this)} ${meter(session)}
         ${actionsBar(session, this)} ${chip(session, this)}`,
     };
-    return html`<div class="app">
+    return html`<div class="app ${isDark(session.look.background) ? 'on-dark' : ''}">
       <div class="stage ${this.#cursor}" part="stage" role=${this.readOnly ? 'img' : 'application'}
         tabindex="0" aria-label=${this.#label()} aria-describedby=${this.#bare ? nothing : 'keys'}>
         <canvas class="picture" part="picture"></canvas>
@@ -307,6 +319,26 @@ export class RotundSketch extends SketchApi {
     this.#tellName();
     if (changed.has('theme')) this.#adapt();
     if (changed.has('open')) this.#panelFocus.moved(this.renderRoot as ShadowRoot, this.#find('.stage'));
+    this.#keepFocus();
+  }
+
+  /** What had the focus is gone: the keys still answer. */
+  #keepFocus(): void {
+    if (!this.#focused || (this.#focused.isConnected && this.#focused.checkVisibility())) return;
+    this.#focused = null;
+    if (document.activeElement === document.body)
+      this.#find<HTMLElement>('.stage').focus({ preventScroll: true });
+  }
+
+  #noteFocus(): void {
+    const { activeElement } = this.renderRoot as ShadowRoot;
+    const before = this.#focused;
+    if (activeElement instanceof HTMLElement) this.#focused = activeElement;
+    // What loses the focus because it goes is remembered until the update is over.
+    else
+      queueMicrotask(() => {
+        if (this.#focused === before && before?.isConnected) this.#focused = null;
+      });
   }
 
   #tellName(): void {

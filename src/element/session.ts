@@ -21,6 +21,7 @@ import { type Background, DEFAULT_LOOK, type Look, type Style } from '../documen
 import { GROWING, isTooLarge } from '../document/size.ts';
 // Only the pure parts of the scene at once: three.js is fetched when there is a page to draw on.
 import type { Scene } from '../scene/index.ts';
+import { AIR, type Margins } from '../scene/view.ts';
 import type { View } from '../stroke/stroke.ts';
 import { idle } from '../tool/draw.ts';
 import { selecting } from '../tool/select.ts';
@@ -74,6 +75,8 @@ export class Session implements Bench, Viewport {
   /** a person chose the background: the theme leaves it alone */
   choseBackground = false;
   onFullScreen = (): void => {};
+  /** what the controls cover of the picture */
+  margins = (): Margins => AIR;
   /** until the slider is let go */
   #dragCancelled = false;
   /** what a control that is being dragged shows */

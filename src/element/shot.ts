@@ -11,10 +11,12 @@ import {
 } from '../document/look.ts';
 import { FileError } from '../document/serialize.ts';
 import { type Quat, quat } from '../math/vec.ts';
+import type { Mesh } from '../mesh/mesh.ts';
 import type { PictureOptions } from '../scene/index.ts';
 import { FACE_ROTATION, type Face, fitted } from '../scene/view.ts';
 import type { View } from '../stroke/stroke.ts';
 import { boxOf } from './cameraMoves.ts';
+import { screenBox } from './place.ts';
 
 export interface Angles {
   /** degrees around the vertical axis; 90 looks from the right */
@@ -57,12 +59,29 @@ export function pictureOptions(shot: Shot, now: Now): PictureOptions {
   const style = oneOf('style', STYLES, shot.style ?? now.look.style);
   const background = oneOf('background', BACKGROUNDS, shot.background ?? now.look.background);
   const items = solids(now.document).map((solid) => ({ ...solid, preview: false }));
-  const box = boxOf(items.map(({ mesh }) => mesh));
+  const meshes = items.map(({ mesh }) => mesh);
+  const box = boxOf(meshes);
   const rotation = shot.camera === undefined ? now.view.rotation : rotationOf(shot.camera);
   const turned = { ...now.view, rotation };
   const frame = box !== null && (shot.camera !== undefined || now.fit);
-  const view = frame ? fitted(turned, box, width / height) : turned;
+  const view = frame ? fitted(turned, box, width / height) : whole(turned, meshes, width / height);
   return { width, height, view, look: { ...now.look, style, background }, items };
+}
+
+/** width over height: the picture a view is expected to be seen in */
+const USUAL_ASPECT = 4 / 3;
+/** Air beside a model that decides how much is seen. */
+const BESIDE = 1.06;
+
+/** A narrower picture than usual still shows all of a model that is whole in a usual one. */
+function whole(view: View, meshes: readonly Mesh[], aspect: number): View {
+  const usual = screenBox(meshes, view, { width: USUAL_ASPECT, height: 1 });
+  if (!usual || aspect >= USUAL_ASPECT) return view;
+  const { left, right, top, bottom } = usual;
+  // Somebody went near on purpose.
+  if (left < 0 || right > USUAL_ASPECT || top < 0 || bottom > 1) return view;
+  const reach = Math.max(USUAL_ASPECT / 2 - left, right - USUAL_ASPECT / 2);
+  return { ...view, height: view.height * Math.max(1, (2 * BESIDE * reach) / aspect) };
 }
 
 function pixels(place: string, value: number): number {

@@ -41,6 +41,11 @@ export const tokens = css`
   }
   :host([data-theme='dark']) { ${unsafeCSS(DARK)} }
   :host([data-theme='contrast']) { ${unsafeCSS(CONTRAST)} }
+  /* what lies on the picture itself is read against its paper, whatever the theme */
+  .app { --over: #26211b; --over-2: #5c5447; }
+  .app.on-dark { --over: #f2ecdf; --over-2: #b9bfcc; }
+  :host([data-theme='contrast']) .app:not(.on-dark) { --over: #000000; --over-2: #1f1f1f; }
+  :host([data-theme='contrast']) .app.on-dark { --over: #ffffff; --over-2: #ffffff; }
   @media (prefers-reduced-motion: reduce) {
     :host { --press: 1ms; --appear: 1ms; }
   }

@@ -4,7 +4,8 @@
  * own over the picture, so that ink never waits for the field.
  */
 import { curveOfStroke } from '../document/build.ts';
-import { readingOf } from '../document/document.ts';
+import { type Brush, readingOf } from '../document/document.ts';
+import { place3, UNMOVED } from '../math/placement.ts';
 import type { Vec2 } from '../math/vec.ts';
 import { project, toWorld } from '../stroke/plane.ts';
 import type { Stroke } from '../stroke/stroke.ts';
@@ -40,7 +41,9 @@ export function drawInk(
   const ratio = canvas.width / Math.max(1, session.size.width);
   context.setTransform(ratio, 0, 0, ratio, 0, 0);
   context.clearRect(0, 0, session.size.width, session.size.height);
-  const lines = (session.document.draft?.strokes ?? []).map((stroke) => dried(stroke, session));
+  if (session.noPicture) drawParts(context, session);
+  const { draft, brush } = session.document;
+  const lines = (draft?.strokes ?? []).map((stroke) => dried(stroke, brush, session));
   if (lines.length === 2 && readingOf(session.document) === 'rotational')
     drawAxis(context, lines[0]!, lines[1]!, colours);
   for (const line of lines) drawLine(context, line, colours.ink);
@@ -63,16 +66,24 @@ function drawBand(context: CanvasRenderingContext2D, { from, to }: Band, { penci
   context.setLineDash([]);
 }
 
-/** A stroke of the unfinished form as filtered, where the camera sees it now. */
-function dried(stroke: Stroke, { document, view, size }: Session): Dot[] {
-  const curve = curveOfStroke(stroke, document.brush);
+/** Where nothing can be shaded, what was kept is still seen: its strokes, in its colours. */
+function drawParts(context: CanvasRenderingContext2D, session: Session): void {
+  for (const { strokes, brush, placement, hidden } of session.document.parts) {
+    if (hidden) continue;
+    for (const stroke of strokes) drawLine(context, dried(stroke, brush, session, placement), brush.colour);
+  }
+}
+
+/** A stroke as filtered, where the camera sees it now. */
+function dried(stroke: Stroke, brush: Brush, { view, size }: Session, placement = UNMOVED): Dot[] {
+  const curve = curveOfStroke(stroke, brush);
   if (!curve) return [];
   const pixels = (curve.length * size.height) / view.height;
   const steps = Math.round(Math.min(STEP.most, Math.max(STEP.least, pixels / STEP.pixels)));
   const dots: Dot[] = [];
   for (let i = 0; i <= steps; i++) {
     const u = i / steps;
-    const p = project(view, size, toWorld(stroke.plane, curve.point(u)));
+    const p = project(view, size, place3(placement, toWorld(stroke.plane, curve.point(u))));
     if (p) dots.push({ x: p[0], y: p[1], pressure: curve.pressure(u) });
   }
   return dots;

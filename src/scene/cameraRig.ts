@@ -36,6 +36,7 @@ import {
   fitted,
   heightLimits,
   kept,
+  type Margins,
 } from './view.ts';
 
 CameraControls.install({
@@ -142,11 +143,11 @@ export class CameraRig {
   }
 
   /** Shows the whole box from where the camera looks; null = the default height around the origin. */
-  fit(box: Box | null, animate: boolean): void {
+  fit(box: Box | null, animate: boolean, margins?: Margins): void {
     const view = this.#goal();
     const aspect = this.#width / this.#height;
     const { pivot, height } = FRONT_VIEW;
-    this.setView(box ? fitted(view, box, aspect) : { ...view, pivot, height }, animate);
+    this.setView(box ? fitted(view, box, aspect, margins) : { ...view, pivot, height }, animate);
   }
 
   /** The front view of the default page. */

@@ -24,8 +24,16 @@ export const FACE_ROTATION: Readonly<Record<Face, Quat>> = {
 
 export { FRONT_VIEW };
 
-/** Air around a form that is fitted: its box fills this part of the screen. */
-const FILL = 0.8;
+/** Parts of the picture, 0–1, that are kept free at its sides. */
+export interface Margins {
+  readonly left: number;
+  readonly top: number;
+  readonly right: number;
+  readonly bottom: number;
+}
+
+/** Air around a form that is fitted. */
+export const AIR: Margins = { left: 0.1, top: 0.1, right: 0.1, bottom: 0.1 };
 /** mm; a box that appears smaller is a point, and gets the default height */
 const LEAST_FIT = 1e-6;
 
@@ -75,21 +83,28 @@ export function ease(time: number): number {
 }
 
 /** The view in the same direction that shows the whole box; `aspect` = width / height of the screen. */
-export function fitted(view: View, box: Box, aspect: number): View {
+export function fitted(view: View, box: Box, aspect: number, margins = AIR): View {
   const [right, up, back] = axes(view.rotation);
-  const pivot = vec3.lerp([0, 0, 0], box.min, box.max, 0.5) as unknown as Vec3;
+  const middle = vec3.lerp([0, 0, 0], box.min, box.max, 0.5) as unknown as Vec3;
+  const { left, top, right: rightMargin, bottom } = margins;
+  const wide = 1 - left - rightMargin;
+  const high = 1 - top - bottom;
   // tangent of half the opening; 0 is orthographic
   const slope = Math.tan((view.fov * Math.PI) / 360);
   // Seen edge-on a box still gets room for a tenth of its size, so that no corner comes to lie in the eye.
   const least = vec3.distance(box.min, box.max) / 10;
   let height = 0;
   for (const corner of corners(box)) {
-    const from = vec3.subtract([0, 0, 0], corner, pivot) as unknown as Vec3;
-    const half = Math.max(Math.abs(vec3.dot(from, up)), Math.abs(vec3.dot(from, right)) / aspect);
+    const from = vec3.subtract([0, 0, 0], corner, middle) as unknown as Vec3;
+    const size = (2 * Math.abs(vec3.dot(from, up))) / high;
+    const across = (2 * Math.abs(vec3.dot(from, right))) / (wide * aspect);
     // A corner nearer than the pivot appears larger by what the opening spans over that distance.
-    height = Math.max(height, Math.max(2 * half, least) / FILL + 2 * slope * vec3.dot(from, back));
+    height = Math.max(height, Math.max(size, across, least / high) + 2 * slope * vec3.dot(from, back));
   }
-  return { ...view, pivot, height: height > LEAST_FIT ? height : FRONT_VIEW.height };
+  if (height <= LEAST_FIT) return { ...view, pivot: middle, height: FRONT_VIEW.height };
+  const pivot = vec3.scaleAndAdd([0, 0, 0], middle, right, (height * aspect * (rightMargin - left)) / 2);
+  vec3.scaleAndAdd(pivot, pivot, up, (height * (top - bottom)) / 2);
+  return { ...view, pivot: pivot as unknown as Vec3, height };
 }
 
 function* corners({ min, max }: Box): Iterable<Vec3> {

@@ -2,7 +2,8 @@
 import { mkdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { describe, expect, it } from 'vitest';
-import { BALL, drawingFile, scriptFile } from './drawings.ts';
+import { line } from '../document/strokes.ts';
+import { BALL, drawingFile, kept, scriptFile } from './drawings.ts';
 import { run as runScript, useProgram } from './program.ts';
 
 const program = useProgram();
@@ -110,6 +111,13 @@ describe('what is printed', { timeout: 60_000 }, () => {
     const none = { components: 0, groups: 0, skels: 0, warnings: [] };
     expect(JSON.parse(stdout)).toEqual({ parts: 1, strokes: 2, ...none });
     expect((await run(['info', '-'], { stdin: scriptFile(BALL) })).stdout).toBe(stdout);
+  });
+
+  it('names a part whose strokes enclose nothing', async () => {
+    const nothing = scriptFile(kept(line(10), line(10)));
+    const { status, stdout } = await run(['info', '-'], { stdin: nothing });
+    expect(status).toBe(0);
+    expect(JSON.parse(stdout).warnings).toEqual([expect.stringContaining('the strokes make no surface')]);
   });
 
   it('prints help and the version', async () => {

@@ -1,5 +1,6 @@
 /** Pictures as they are asked for: sizes, sides and angles, and what is refused. */
 import { describe, expect, it } from 'vitest';
+import { apply } from '../../src/document/command/index.ts';
 import { EMPTY_DOCUMENT } from '../../src/document/document.ts';
 import { FRONT_VIEW } from '../../src/document/drawing.ts';
 import { DEFAULT_LOOK } from '../../src/document/look.ts';
@@ -7,6 +8,7 @@ import { FileError } from '../../src/document/serialize.ts';
 import { type Angles, type Now, pictureOptions, type Shot } from '../../src/element/shot.ts';
 import type { Vec3 } from '../../src/math/vec.ts';
 import { axes } from '../../src/scene/view.ts';
+import { strokeAlong } from '../document/strokes.ts';
 
 const NOW: Now = {
   document: EMPTY_DOCUMENT,
@@ -38,6 +40,21 @@ describe('a shot', () => {
       style: 'hbed-ink',
       background: 'white',
     });
+  });
+
+  it('narrower than usual still shows a model that is whole in a usual one, and what was near stays near', () => {
+    const wide = strokeAlong((t) => [-60 + 120 * t, 0]);
+    const document = [{ type: 'addStroke', stroke: wide } as const, { type: 'keep' } as const].reduce(
+      apply,
+      EMPTY_DOCUMENT,
+    );
+    const heightOf = (height: number, size: Shot) =>
+      pictureOptions(size, { ...NOW, document, view: { ...FRONT_VIEW, height } }).view.height;
+    expect(heightOf(200, { width: 800, height: 600 })).toBe(200);
+    const tall = heightOf(200, { width: 300, height: 900 });
+    expect(tall / 3).toBeGreaterThan(120);
+    expect(tall / 3).toBeLessThan(150);
+    expect(heightOf(60, { width: 300, height: 900 })).toBe(60);
   });
 
   it('from a side is the shot from its angles', () => {
