@@ -9,9 +9,10 @@ const program: UserConfig = {
   define: {
     ROTUND_VERSION: JSON.stringify(manifest.version),
     ROTUND_PLAYWRIGHT: JSON.stringify(manifest.devDependencies['playwright-core']),
+    ROTUND_WEBGPU: JSON.stringify(manifest.devDependencies.webgpu),
   },
-  // One folder that runs anywhere: only the optional package stays outside.
-  ssr: { noExternal: true, external: ['playwright-core'] },
+  // One folder that runs anywhere: only the optional packages stay outside.
+  ssr: { noExternal: true, external: ['playwright-core', 'webgpu'] },
   build: {
     ssr: 'src/cli/main.ts',
     outDir: 'dist/cli',

@@ -30,7 +30,7 @@ const PURE = HOUSE.slice(0, HOUSE.indexOf('gpu'));
 const DOORS: readonly { readonly what: RegExp; readonly folders: readonly string[] }[] = [
   { what: /^three|^camera-controls/, folders: ['scene'] },
   { what: /^lit|^lucide/, folders: ['element'] },
-  { what: /^node:|^playwright/, folders: ['cli'] },
+  { what: /^node:|^playwright|^webgpu$/, folders: ['cli'] },
   { what: /^gl-matrix/, folders: ['math'] },
   { what: /^@gltf-transform/, folders: ['export'] },
 ];

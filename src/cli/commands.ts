@@ -12,13 +12,17 @@ export interface Option {
 }
 
 export interface CommandSpec {
-  readonly name: 'mesh' | 'render' | 'info';
+  readonly name: 'mesh' | 'render' | 'info' | 'field';
   readonly synopsis: string;
   /** one line */
   readonly summary: string;
+  /** what its operands are, a sentence */
+  readonly input: string;
   readonly options: readonly Option[];
-  /** what standard output says */
+  /** what a line of standard output says */
   readonly output: string;
+  /** what there is a line for; one in all without */
+  readonly linePer?: string;
 }
 
 const HELP: Option = { name: 'help', short: 'h', help: 'print this help' };
@@ -29,10 +33,13 @@ const BACKEND: Option = {
   help: 'what computes the meshes of bodies (cpu); gpu does not exist yet',
 };
 
+const DRAWING = 'IN is a drawing (.rotund) or a script of commands; - reads standard input.';
+
 export const MESH: CommandSpec = {
   name: 'mesh',
   synopsis: 'rotund mesh IN -o OUT.{obj,glb,stl,ply}',
   summary: 'write the solids of a drawing as a mesh',
+  input: DRAWING,
   options: [
     { name: 'output', short: 'o', value: 'FILE', help: 'the file to write; its extension names the format' },
     {
@@ -56,6 +63,7 @@ export const RENDER: CommandSpec = {
   name: 'render',
   synopsis: 'rotund render IN -o OUT.png',
   summary: 'the picture that the application shows, through headless Chromium',
+  input: DRAWING,
   options: [
     { name: 'output', short: 'o', value: 'FILE', help: 'the picture to write, a .png' },
     {
@@ -79,11 +87,26 @@ export const INFO: CommandSpec = {
   name: 'info',
   synopsis: 'rotund info IN',
   summary: 'what is in a drawing, as counts',
+  input: DRAWING,
   options: [HELP],
   output: '{parts, strokes, components, groups, skels, warnings}',
 };
 
-export const COMMANDS: readonly CommandSpec[] = [MESH, RENDER, INFO];
+export const FIELD: CommandSpec = {
+  name: 'field',
+  synopsis: 'rotund field VECTORS.json…',
+  summary: 'hold the fields of skels against reference vectors',
+  input: 'VECTORS.json are files of reference vectors (docs/cli.md describes them); - reads standard input.',
+  options: [
+    {
+      name: 'backend',
+      value: 'cpu|gpu',
+      help: 'what evaluates the fields: cpu in float64, gpu in float32 through the package webgpu (cpu)',
+    },
+    HELP,
+  ],
+  output: '{family, kernel, backend, count, valueError, gradientError, worst, pass}',
+  linePer: 'family and kernel',
+};
 
-/** Named in the design, not there yet. */
-export const FUTURE_COMMANDS: readonly string[] = ['field'];
+export const COMMANDS: readonly CommandSpec[] = [MESH, RENDER, INFO, FIELD];

@@ -15,15 +15,16 @@ rotund COMMAND --help lists a command's options; rotund --version says which
 version this is.`;
 }
 
-export function commandHelp({ synopsis, summary, options, output }: CommandSpec): string {
+export function commandHelp({ synopsis, summary, input, options, output, linePer }: CommandSpec): string {
+  const lines = linePer ? `one line of JSON for each ${linePer}` : 'one line of JSON';
   const list = options.map((option) => entry(nameOf(option), option.help)).join('\n');
   return `Usage: ${synopsis} [OPTION…]
 
-${filled(`${capital(summary)}. IN is a drawing (.rotund) or a script of commands; - reads standard input.`, 0)}
+${filled(`${capital(summary)}. ${input}`, 0)}
 
 ${list}
 
-${filled(`Prints one line of JSON on standard output: ${output}`, 0)}`;
+${filled(`Prints ${lines} on standard output: ${output}`, 0)}`;
 }
 
 function nameOf({ name, short, value }: Option): string {

@@ -13,35 +13,44 @@ export interface Input {
 
 /** Throws Problem, or FileError for what is in the file. */
 export async function readInput(path: string): Promise<Input> {
-  const name = path === '-' ? 'standard input' : path;
-  const bytes = path === '-' ? await standardInput() : fileBytes(path);
-  return { drawing: parse(textOf(bytes, name), name), name };
+  const { text, name } = await readText(path, 'a drawing or a script');
+  return { drawing: parse(text, name), name };
 }
 
-function fileBytes(path: string): Uint8Array {
+/** `what`: what messages say was expected. */
+export async function readText(
+  path: string,
+  what: string,
+): Promise<{ readonly text: string; readonly name: string }> {
+  const name = path === '-' ? 'standard input' : path;
+  const bytes = path === '-' ? await standardInput(what) : fileBytes(path, what);
+  return { text: textOf(bytes, name), name };
+}
+
+function fileBytes(path: string, what: string): Uint8Array {
   try {
     const stats = statSync(path);
-    if (stats.isDirectory()) throw new Problem(`${path}: expected a drawing or a script, found a folder`);
-    if (stats.size > LIMITS.bytes) throw tooLarge(path);
+    if (stats.isDirectory()) throw new Problem(`${path}: expected ${what}, found a folder`);
+    if (stats.size > LIMITS.bytes) throw tooLarge(path, what);
     return readFileSync(path);
   } catch (error) {
     throw error instanceof Problem ? error : fileProblem(path, 'read', error);
   }
 }
 
-async function standardInput(): Promise<Uint8Array> {
+async function standardInput(what: string): Promise<Uint8Array> {
   const chunks: Buffer[] = [];
   let length = 0;
   for await (const chunk of process.stdin) {
     length += chunk.length;
-    if (length > LIMITS.bytes) throw tooLarge('standard input');
+    if (length > LIMITS.bytes) throw tooLarge('standard input', what);
     chunks.push(chunk);
   }
   return Buffer.concat(chunks);
 }
 
-const tooLarge = (name: string): Problem =>
-  new Problem(`${name}: expected a drawing of at most ${LIMITS.bytes / 2 ** 20} MiB, found more`);
+const tooLarge = (name: string, what: string): Problem =>
+  new Problem(`${name}: expected ${what} of at most ${LIMITS.bytes / 2 ** 20} MiB, found more`);
 
 function textOf(bytes: Uint8Array, name: string): string {
   try {

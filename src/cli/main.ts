@@ -1,10 +1,11 @@
 /**
- * The command line. One JSON line on standard output when all went well; otherwise a message on standard error, exit status
+ * The command line. One JSON line on standard output when all went well (`field`: one for each family and kernel); otherwise a message on standard error, exit status
  * 2 for what was asked or given, 1 for what the machine lacks.
  */
 import { FileError } from '../document/serialize.ts';
 import { type Args, readArgs } from './args.ts';
-import { COMMANDS, type CommandSpec, FUTURE_COMMANDS } from './commands.ts';
+import { COMMANDS, type CommandSpec } from './commands.ts';
+import { field } from './field.ts';
 import { commandHelp, generalHelp } from './help.ts';
 import { info } from './info.ts';
 import { mesh } from './mesh.ts';
@@ -13,7 +14,12 @@ import { render } from './render.ts';
 import { say } from './say.ts';
 import { VERSION } from './version.ts';
 
-const RUN: Readonly<Record<CommandSpec['name'], (args: Args) => Promise<void>>> = { mesh, render, info };
+const RUN: Readonly<Record<CommandSpec['name'], (args: Args) => Promise<void>>> = {
+  mesh,
+  render,
+  info,
+  field,
+};
 
 async function main([name, ...rest]: readonly string[]): Promise<void> {
   if (name === '--help' || name === '-h') return print(generalHelp());
@@ -29,8 +35,6 @@ function commandOf(name: string | undefined): CommandSpec {
   if (known) return known;
   const expected = `expected ${COMMANDS.map((command) => command.name).join(', ')}; rotund --help says more`;
   if (name === undefined) throw new Problem(`no command; ${expected}`);
-  if (FUTURE_COMMANDS.includes(name))
-    throw new Problem(`the command ${name} does not exist yet; ${expected}`);
   throw new Problem(`unknown ${name.startsWith('-') ? 'option' : 'command'} ${name}; ${expected}`);
 }
 

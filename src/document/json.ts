@@ -8,13 +8,13 @@ import { LIMITS } from './limits.ts';
 
 const WANTED = 'a Rotund document or script';
 
-/** The data in a JSON text, an object or a list; FileError for anything else. */
-export function readJson(text: string, file: string): object {
+/** The data in a JSON text, an object or a list; FileError for anything else. `wanted`: what messages say was expected. */
+export function readJson(text: string, file: string, wanted = WANTED): object {
   if (text.length > LIMITS.text) throw tooLong(text.length, file);
   const json = text.startsWith('\ufeff') ? text.slice(1) : text;
   const start = /\S/.exec(json)?.index;
-  if (start === undefined) throw new FileError(file, '', `the file is empty; expected ${WANTED}`);
-  if (json[start] !== '{' && json[start] !== '[') throw noRotund(json, start, file);
+  if (start === undefined) throw new FileError(file, '', `the file is empty; expected ${wanted}`);
+  if (json[start] !== '{' && json[start] !== '[') throw noRotund(json, start, file, wanted);
   const deep = tooDeep(json);
   if (deep !== null) {
     throw new FileError(
@@ -26,7 +26,7 @@ export function readJson(text: string, file: string): object {
   try {
     return JSON.parse(json);
   } catch {
-    throw notJson(json, file);
+    throw notJson(json, file, wanted);
   }
 }
 
@@ -35,18 +35,18 @@ function tooLong(length: number, file: string): FileError {
   return new FileError(file, '', `expected at most ${most} of text, found ${found}`);
 }
 
-function noRotund(json: string, start: number, file: string): FileError {
+function noRotund(json: string, start: number, file: string, wanted: string): FileError {
   const beginning = shown(json.slice(start, start + 12));
   return new FileError(
     file,
     '',
-    `not a Rotund file: expected ${WANTED}, which begins with { or [, found ${beginning}`,
+    `not a Rotund file: expected ${wanted}, which begins with { or [, found ${beginning}`,
   );
 }
 
-function notJson(json: string, file: string): FileError {
+function notJson(json: string, file: string, wanted: string): FileError {
   const fault = jsonFault(json);
-  if (!fault) return new FileError(file, '', `expected ${WANTED}, found JSON that cannot be read here`);
+  if (!fault) return new FileError(file, '', `expected ${wanted}, found JSON that cannot be read here`);
   const { offset, expected } = fault;
   const cutOff = offset >= json.length;
   const found = cutOff ? 'the end: the file is cut off' : shown(json.slice(offset, offset + 12));

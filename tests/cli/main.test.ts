@@ -13,6 +13,7 @@ put('script.rotund', scriptFile(BALL));
 put('broken.rotund', drawingFile(BALL).slice(0, 500));
 put('wrong.rotund', JSON.stringify({ format: 'rotund', version: 99, document: 7 }));
 put('empty.rotund', '');
+put('vectors.json', readFileSync(join(import.meta.dirname, '../fixtures/vectors/point.json')));
 put('picture.png', Uint8Array.of(0x89, 0x50, 0x4e, 0x47, 0xff, 0xfe));
 put('old.obj', 'precious');
 mkdirSync(join(folder, 'folder'));
@@ -23,7 +24,15 @@ const WRONG: readonly (readonly [args: string, ...names: string[]])[] = [
   ['', 'no command', 'mesh, render, info', '--help'],
   ['fly ball.rotund', 'fly', 'mesh, render, info'],
   ['--verbose', '--verbose'],
-  ['field a.json', 'field does not exist yet'],
+  ['field', 'no input', 'rotund field VECTORS.json'],
+  ['field none.json', 'none.json', 'no such file'],
+  ['field folder', 'folder', 'reference vectors', 'found a folder'],
+  ['field empty.rotund', 'empty.rotund', 'reference vectors'],
+  ['field ball.rotund', 'ball.rotund', 'family', 'point, segment or polygon'],
+  ['field broken.rotund', 'broken.rotund', 'line '],
+  ['field vectors.json --backend gpu', '--backend gpu', 'webgpu'],
+  ['field vectors.json --backend tpu', '--backend', 'tpu'],
+  ['field vectors.json -o x.json', '-o'],
   ['mesh', 'no input', 'rotund mesh IN'],
   ['mesh ball.rotund', 'no output', '-o OUT'],
   ['mesh ball.rotund script.rotund -o x.obj', 'one input', 'found 2'],

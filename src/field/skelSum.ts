@@ -1,0 +1,79 @@
+/**
+ * Σ λ_i F_i − T. The colour is the mean of those of the skels, weighted by what they add to the field; what carves has none.
+ */
+import { type Box, FieldError, type FieldValue, type SkelField } from '../skeleton/skeleton.ts';
+import { grown, unite } from './boxes.ts';
+import type { Colour } from './node.ts';
+import type { TreeField } from './treeField.ts';
+
+export interface BoundTerm {
+  readonly field: SkelField;
+  readonly factor: number;
+  readonly colour: Colour;
+}
+
+/** FieldError when there is nothing to add, or the threshold is not above 0. */
+export function skelSum(terms: readonly BoundTerm[], threshold: number): TreeField {
+  if (!(threshold > 0 && threshold < Infinity))
+    throw new FieldError(`threshold must be above 0, got ${threshold}`);
+  if (terms.length === 0) throw new FieldError('a body needs at least one skel');
+  return new SkelSum(terms, threshold);
+}
+
+class SkelSum implements TreeField {
+  readonly #terms: readonly BoundTerm[];
+  readonly #threshold: number;
+  readonly box: Box | null;
+
+  constructor(terms: readonly BoundTerm[], threshold: number) {
+    this.#terms = terms;
+    this.#threshold = threshold;
+    this.box = this.boxAbove(0);
+  }
+
+  value(x: number, y: number, z: number): number {
+    let sum = -this.#threshold;
+    for (const { field, factor } of this.#terms) sum += factor * field.value(x, y, z);
+    return sum;
+  }
+
+  evaluate(x: number, y: number, z: number, out: FieldValue): void {
+    out[0] = -this.#threshold;
+    out[1] = 0;
+    out[2] = 0;
+    out[3] = 0;
+    for (const { field, factor } of this.#terms) field.add(x, y, z, factor, out);
+  }
+
+  colour(x: number, y: number, z: number, out: Float64Array): number {
+    let sum = -this.#threshold;
+    let weight = 0;
+    out[0] = 0;
+    out[1] = 0;
+    out[2] = 0;
+    for (const { field, factor, colour } of this.#terms) {
+      const value = factor * field.value(x, y, z);
+      sum += value;
+      if (value <= 0) continue;
+      weight += value;
+      // a running mean: sums of singular fields would overflow
+      const share = value / weight;
+      for (let i = 0; i < 3; i++) out[i]! += share * (colour[i]! - out[i]!);
+    }
+    // beyond every support: no surface comes here
+    if (weight === 0) out.set(this.#terms[0]!.colour);
+    return sum;
+  }
+
+  /** Beyond every skel's own box its term is below its even share of T + level. */
+  boxAbove(level: number): Box | null {
+    const needed = this.#threshold + level;
+    if (!(needed > 0)) return null;
+    let box: Box | null = null;
+    for (const { field, factor } of this.#terms) {
+      const own = grown(field.box, field.offset(needed / (this.#terms.length * Math.abs(factor))));
+      box = box ? unite(box, own) : own;
+    }
+    return box;
+  }
+}

@@ -1,0 +1,27 @@
+/** q^(−n/2): whole n by roots and products, other n by e^(−n/2 log q), which 1e-14 is good for here. */
+import { exp } from '../math/exp.ts';
+import { log } from '../math/log.ts';
+
+export function halfPower(q: number, n: number): number {
+  const i = 1 / q;
+  switch (n) {
+    case 1:
+      return Math.sqrt(i);
+    case 2:
+      return i;
+    case 3:
+      return i * Math.sqrt(i);
+    case 4:
+      return i * i;
+    case 5:
+      return i * i * Math.sqrt(i);
+    case 6:
+      return i * i * i;
+    case 7:
+      return i * i * i * Math.sqrt(i);
+    case 8:
+      return i * i * (i * i);
+    default:
+      return exp(-0.5 * n * log(q));
+  }
+}

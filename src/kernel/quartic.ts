@@ -1,0 +1,67 @@
+/**
+ * The quartic polynomial (1 − r²/R²)² within R (Zhu et al. 2011 §3.1), in units of R: nothing beyond.
+ *
+ * Segments: clipped to the support, where four Gauss points are exact for weights up to degree 3, gradient included
+ * (FIELD-NOTES §2). Polygons: FIELD-NOTES §3, per edge without lists of intersections: three exact points inside the disc
+ * and the angle of what is outside. Zhu's (12) is right but sorts at most sixteen intersections; winding numbers with
+ * inside angles only are cheaper but wrong for points exactly over an edge or a vertex.
+ */
+import { GAUSS } from '../math/gaussLegendre.ts';
+import { PI } from '../math/trig.ts';
+import { angleOutside, clamped } from './clip.ts';
+import type { EdgeFrame, Integral, Kernel, LineFrame } from './kernel.ts';
+import { Nodes, sumLine } from './nodes.ts';
+import { R } from './params.ts';
+
+const nodes = new Nodes();
+
+export const quartic: Kernel = {
+  name: 'quartic',
+  label: 'Quartic polynomial',
+  params: [R],
+  homogeneity: 0,
+  support: 1,
+  floor2: { line: 0, plate: 0 },
+  unit: ({ R: radius = R.default }) => radius,
+  value: (r2) => (r2 < 1 ? (1 - r2) * (1 - r2) : 0),
+  slope: (r2) => (r2 < 1 ? -2 * (1 - r2) : 0),
+  line,
+  edge,
+  wholeLine: (r2) => (r2 < 1 ? (16 / 15) * (1 - r2) * (1 - r2) * Math.sqrt(1 - r2) : 0),
+  wholePlane: (r2) => (r2 < 1 ? (PI / 3) * (1 - r2) * (1 - r2) * (1 - r2) : 0),
+};
+
+function line(frame: LineFrame, out: Integral): void {
+  const g = frame.rho2 < 1 ? Math.sqrt(1 - frame.rho2) : 0;
+  const low = clamped(frame.alpha, g);
+  const high = clamped(frame.beta, g);
+  nodes.gauss(GAUSS[4], low, high);
+  for (let i = 0; i < 4; i++) {
+    const tau = nodes.tau[i]!;
+    const inside = (g - tau) * (g + tau);
+    nodes.value[i] = inside * inside;
+    nodes.slope[i] = -2 * inside;
+  }
+  sumLine(frame, nodes, out);
+}
+
+function edge({ d, alpha, beta, z, slopes }: EdgeFrame, out: Integral): void {
+  const r2 = Math.max(1 - z * z, 0);
+  const g = Math.sqrt(Math.max(r2 - d * d, 0));
+  const low = clamped(alpha, g);
+  const high = clamped(beta, g);
+  const angle = angleOutside(d, alpha, beta, low, high);
+  nodes.gauss(GAUSS[3], low, high);
+  let [value, across, along] = [0, 0, 0];
+  for (let i = 0; i < 3; i++) {
+    const u = d * d + nodes.tau[i]! * nodes.tau[i]!;
+    const weight = nodes.weight[i]!;
+    value += weight * (3 * r2 * r2 - 3 * r2 * u + u * u);
+    across -= weight * (r2 - u) * (r2 - u);
+    along += weight * (2 * r2 - u);
+  }
+  out[0] = (d * value + r2 * r2 * r2 * angle) / 6;
+  if (!slopes) return;
+  out[1] = across;
+  out[2] = -z * (d * along + r2 * r2 * angle);
+}

@@ -1,0 +1,58 @@
+/**
+ * atan and atan2 for inner loops: the same bits in every engine, no table, no allocation, one division.
+ *
+ * Theory: the angle is taken from the nearest of 0, π/4, π/2, … by the addition theorem, with the division that makes the
+ * tangent left to the end; what remains is below tan(π/8), where a polynomial of eleven terms (Chebyshev, 5.5e-18) does.
+ * Departure from trig.ts, whose atan2 knows zeros, signs and infinities: this one is for finite arguments that are not both 0,
+ * a zero counts as positive, and it is one function with one series, which engines can inline (the Cauchy segment: 52 ns
+ * against 63 with the engine's atan2 on the same machine).
+ * Measured against 60 digits: at most 1.8 ulp.
+ */
+
+import { PI } from './trig.ts';
+
+const TAN_8 = 0.41421356237309503;
+const QUARTER = 0.7853981633974483;
+const QUARTER_REST = 3.061616997868383e-17;
+const HALF = 1.5707963267948966;
+const HALF_REST = 6.123233995736766e-17;
+const PI_REST = 1.2246467991473532e-16;
+
+/** The angle of (x, y), −π…π. Finite arguments, not both 0. */
+export function fastAtan2(y: number, x: number): number {
+  const ay = y < 0 ? -y : y;
+  const ax = x < 0 ? -x : x;
+  let n = ay;
+  let d = ax;
+  let base = 0;
+  let rest = 0;
+  if (ay > TAN_8 * ax) {
+    const isSteep = ax <= TAN_8 * ay;
+    n = isSteep ? -ax : ay - ax;
+    d = isSteep ? ay : ay + ax;
+    base = isSteep ? HALF : QUARTER;
+    rest = isSteep ? HALF_REST : QUARTER_REST;
+  }
+  const t = n / d;
+  const z = t * t;
+  const w = z * z;
+  // even and odd terms apart, so that they are computed side by side
+  const even =
+    -0.3333333333333333 +
+    w *
+      (-0.14285714284657894 +
+        w *
+          (-0.09090904549884611 +
+            w * (-0.06664502215671447 + w * (-0.05085030492810941 + w * -0.019162068915902577))));
+  const odd =
+    0.1999999999999548 +
+    w *
+      (0.11111111014561013 +
+        w * (0.07692182535116648 + w * (0.058580687568615106 + w * 0.03921955253255129)));
+  const right = base + (t + (t * z * (even + z * odd) + rest));
+  const angle = x < 0 ? PI - right + PI_REST : right;
+  return y < 0 ? -angle : angle;
+}
+
+/** atan x for finite x. */
+export const fastAtan = (x: number): number => fastAtan2(x, 1);

@@ -1,0 +1,54 @@
+/**
+ * Analytic FRep primitives: plain data that becomes a field of its own. Inside is where the value is positive: shapes are
+ * minus their distance (or a function whose gradient has length 1 on the surface), so that they meet convolution
+ * sums, which come in as F − T (Kravtsov et al. §1.2; FIELD-NOTES §5).
+ */
+import type { Vec3 } from '../math/vec.ts';
+import type { Box, FieldValue } from '../skeleton/skeleton.ts';
+import { FieldError } from '../skeleton/skeleton.ts';
+
+export interface Field {
+  value(x: number, y: number, z: number): number;
+  /** Writes value and gradient. Where no gradient is (a medial axis) any of the neighbouring ones, or zero. */
+  evaluate(x: number, y: number, z: number, out: FieldValue): void;
+  /** mm; holds all of the inside; null when that is unbounded */
+  readonly box: Box | null;
+  /** mm; holds all points with a value above `level` ≤ 0; null when they are unbounded, or not known to be bounded */
+  boxAbove(level: number): Box | null;
+}
+
+/** One kind of shape, in its own frame (axes along y); placed by an affine node of the tree. */
+export interface ShapeKind<S> {
+  readonly name: string;
+  /** what people read */
+  readonly label: string;
+  /** the value is the signed distance everywhere */
+  readonly exact: boolean;
+  /** the first is what a menu begins with, the others are awkward; tests run over all */
+  readonly examples: readonly S[];
+  /** what the WGSL twin takes after the point, in its order */
+  numbers(shape: S): readonly number[];
+  /** Checks what types cannot say; throws FieldError. */
+  bind(shape: S): Field;
+}
+
+/** Refuses what is no size in mm. */
+export function requireSize(value: number, what: string): void {
+  if (!(value > 0 && value < Infinity)) throw new FieldError(`${what} must be above 0 mm, got ${value}`);
+}
+
+/** The box about the origin. */
+export function boxAbout(half: Vec3, grown = 0): Box {
+  const [x, y, z] = [half[0] + grown, half[1] + grown, half[2] + grown];
+  return { min: [-x, -y, -z], max: [x, y, z] };
+}
+
+/** A field that is a distance, its inside within `half` of the origin. */
+export function distanceField(half: Vec3, field: Pick<Field, 'value' | 'evaluate'>): Field {
+  return { ...field, box: boxAbout(half), boxAbove: (level) => boxAbout(half, -level) };
+}
+
+/** −1 or 1, never 0: a point on a plane of symmetry still has a side. */
+export function side(x: number): number {
+  return x < 0 ? -1 : 1;
+}

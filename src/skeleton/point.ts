@@ -1,0 +1,45 @@
+/**
+ * A point with a weight: w f(r).
+ *
+ * Kernels without a width count in the radius at which a lone point has the value 1, so that coordinates stay near 1.
+ */
+import type { Kernel, KernelParams } from '../kernel/kernel.ts';
+import { pow } from '../math/pow.ts';
+import { checkedParams, checkFinite, reach, whole } from './binding.ts';
+import type { FieldValue, Skeleton, SkelField } from './skeleton.ts';
+import type { PointSkel } from './skels.ts';
+
+export const point: Skeleton<PointSkel> = { name: 'point', bind };
+
+function bind({ at, weight }: PointSkel, kernel: Kernel, params: KernelParams): SkelField {
+  const checked = checkedParams(kernel, params);
+  checkFinite('the coordinates and the weight of a point', [...at, weight]);
+  const { homogeneity, support } = kernel;
+  const size = homogeneity === 0 || weight === 0 ? 1 : pow(Math.abs(weight), -1 / homogeneity);
+  const unit = kernel.unit(checked, size);
+  const exponent = checked.n ?? 4;
+  const factor = weight * whole(unit, homogeneity);
+  const [ax, ay, az] = at;
+  const per = 1 / unit;
+  const least = kernel.floor2.line;
+  const bound = (r2: number) => Math.abs(factor) * kernel.value(Math.max(r2, least), exponent);
+  const squared = (x: number, y: number, z: number): number => {
+    const dx = (x - ax) * per;
+    const dy = (y - ay) * per;
+    const dz = (z - az) * per;
+    return Math.max(dx * dx + dy * dy + dz * dz, least);
+  };
+  return {
+    box: { min: at, max: at },
+    offset: (threshold) => (weight === 0 ? 0 : unit * reach(bound, threshold, support)),
+    value: (x, y, z) => factor * kernel.value(squared(x, y, z), exponent),
+    add(x: number, y: number, z: number, scale: number, out: FieldValue): void {
+      const r2 = squared(x, y, z);
+      const steep = 2 * scale * factor * kernel.slope(r2, exponent) * per * per;
+      out[0] = out[0]! + scale * factor * kernel.value(r2, exponent);
+      out[1] = out[1]! + steep * (x - ax);
+      out[2] = out[2]! + steep * (y - ay);
+      out[3] = out[3]! + steep * (z - az);
+    },
+  };
+}

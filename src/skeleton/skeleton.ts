@@ -1,0 +1,36 @@
+/**
+ * A skel as plain data, and what it becomes when a kernel is chosen: a field that adds itself into a sum. The work that
+ * does not depend on the point is done once, in `bind`.
+ */
+import type { Kernel, KernelParams } from '../kernel/kernel.ts';
+import type { Vec3 } from '../math/vec.ts';
+
+/** [value, ∂x, ∂y, ∂z], mm and 1/mm; mutable: evaluators add to it. */
+export type FieldValue = Float64Array;
+
+export interface Box {
+  readonly min: Vec3;
+  readonly max: Vec3;
+}
+
+export interface SkelField {
+  value(x: number, y: number, z: number): number;
+  /** Adds `factor` times value and gradient. */
+  add(x: number, y: number, z: number, factor: number, out: FieldValue): void;
+  /** of the skel itself, without its field */
+  readonly box: Box;
+  /** mm from the skel beyond which |value| < `threshold`; 0 when it is nowhere larger (FIELD-NOTES §1, Z(17)–(19) corrected) */
+  offset(threshold: number): number;
+}
+
+/** One kind of skel. `S` is its data. */
+export interface Skeleton<S> {
+  readonly name: string;
+  /** Checks what types cannot say and prepares; throws FieldError for what has no field (see docs/fields.md). */
+  bind(skel: S, kernel: Kernel, params: KernelParams): SkelField;
+}
+
+/** What cannot be built, in words, with the place in the tree. */
+export class FieldError extends Error {
+  override readonly name = 'FieldError';
+}
