@@ -1,6 +1,6 @@
 /**
  * The command line as files in dist/cli. By default the program itself, for Node; with `--mode page` what it opens in
- * Chromium: the element alone.
+ * Chromium: the element alone; with `--mode bench` the benchmark of fields.
  */
 import { defineConfig, type UserConfig } from 'vite';
 import manifest from './package.json' with { type: 'json' };
@@ -41,8 +41,13 @@ const page: UserConfig = {
   },
 };
 
+/** What `npm run bench` times in Node. */
+const bench: UserConfig = {
+  build: { ssr: 'tests/bench/field.time.ts', outDir: 'dist/bench', target: 'node20' },
+};
+
 export default defineConfig(({ mode }) => ({
   publicDir: false,
   logLevel: 'warn',
-  ...(mode === 'page' ? page : program),
+  ...(mode === 'page' ? page : mode === 'bench' ? bench : program),
 }));

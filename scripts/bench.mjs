@@ -1,9 +1,11 @@
-// npm run bench: the pure parts in Node, then the application in Chromium on whatever adapter it finds.
+// npm run bench: the pure parts in Node, fields bundled, then the application in Chromium on whatever adapter it finds.
 import { installPackages, needChromium, run } from './prepare.mjs';
 
 installPackages();
 const CHROMIUM = needChromium();
 process.exit(
   run('npx', ['vitest', 'bench', '--run', '--project', 'unit']) ||
+    run('npx', ['vite', 'build', '-c', 'vite.cli.config.ts', '--mode', 'bench']) ||
+    run('node', ['dist/bench/field.time.js']) ||
     run('npx', ['playwright', 'test', '--project', 'bench', '--reporter=line'], { CHROMIUM }),
 );

@@ -27,6 +27,14 @@ async function open(page: Page, dialogs: 'inputs' | 'own' = 'inputs'): Promise<v
 const pictured = (page: Page) =>
   expect(page.locator('rotund-sketch')).toHaveAttribute('data-backend', /WebG/);
 
+/** As autosave does it, at any moment. */
+const updated = (page: Page) =>
+  page.evaluate(async () => {
+    const sketch = document.querySelector('rotund-sketch')!;
+    sketch.requestUpdate();
+    await sketch.updateComplete;
+  });
+
 const drawing = (page: Page) => page.evaluate(() => document.querySelector('rotund-sketch')!.drawing);
 const status = (page: Page) => page.getByRole('status');
 const title = (page: Page) => page.getByRole('button', { name: /: file$/ });
@@ -165,6 +173,7 @@ test('saving writes what is drawn, under its name, and says where it is', async 
   await draw(page, STROKE, OTHER);
   await title(page).click();
   await page.getByRole('textbox', { name: 'Name' }).fill('Plum/pear');
+  await updated(page);
   await page.keyboard.press('Enter');
   await expect(page.getByRole('dialog')).toBeHidden();
   const download = page.waitForEvent('download');

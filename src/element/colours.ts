@@ -1,6 +1,5 @@
 /** The colours to choose from, as lit spheres, and one of one's own. */
 import { html, type TemplateResult } from 'lit';
-import { live } from 'lit/directives/live.js';
 import { roving } from './controls.ts';
 import { ball } from './icons.ts';
 
@@ -47,6 +46,6 @@ export function spheres(
       )}
     </div>
     <label class="row">Own colour
-      <input type="color" .value=${live(first)} aria-label="Own colour" @change=${own} />
+      <input type="color" .value=${first} aria-label="Own colour" @change=${own} />
     </label>`;
 }

@@ -1,6 +1,5 @@
 /** The drawing as a file: its name, where it is kept, and what can be done with it. */
 import { html, nothing, type TemplateResult } from 'lit';
-import { live } from 'lit/directives/live.js';
 import type { Actions } from './controls.ts';
 import { fact, row } from './fileRows.ts';
 import type { Files } from './files.ts';
@@ -43,9 +42,14 @@ function nameField(session: Session, actions: Actions): TemplateResult {
     field(event).blur();
     actions.dismiss();
   };
+  const renamed = (event: Event) => {
+    actions.files.saving.rename(field(event).value);
+    field(event).value = session.name;
+  };
+  // Not `live`: an update in the middle of a word, as autosave makes one, would take back what was typed.
   return html`<label class="field"><span>Name</span>
     <input type="text" autocomplete="off" spellcheck="false" maxlength="80" placeholder=${FILE_WORDS.untitled}
-      .value=${live(session.name)} @keydown=${typed} @change=${(event: Event) => actions.files.saving.rename(field(event).value)} />
+      .value=${session.name} @keydown=${typed} @change=${renamed} />
   </label>`;
 }
 

@@ -65,9 +65,10 @@ function nameField(session: Session, { id, name }: Part): TemplateResult {
     // The field lets go, and the keys stay in the panel.
     field.closest('.panel')?.querySelector<HTMLElement>('.part-list')?.focus({ preventScroll: true });
   };
+  // Not `live`: an update in the middle of a word would take back what was typed.
   return html`<label class="name-field"><span>${PART_WORDS.name}</span>
     <input type="text" maxlength=${LONGEST_NAME} autocomplete="off" spellcheck="false" enterkeyhint="done"
-      .value=${live(name)} @change=${rename} @keydown=${key} /></label>`;
+      .value=${name} @change=${rename} @keydown=${key} /></label>`;
 }
 
 function radius(session: Session, parts: readonly Part[]): TemplateResult {
