@@ -54,14 +54,14 @@ function bindSection(section: Warp['section']): Section {
   }
 }
 
-interface Frame {
+export interface Frame {
   readonly origin: Vec3;
   readonly x: Vec3;
   readonly y: Vec3;
   readonly z: Vec3;
 }
 
-function framed(skel: Skel, { up, along }: Warp): { readonly frame: Frame; readonly local: Skel } {
+export function framed(skel: Skel, { up, along }: Warp): { readonly frame: Frame; readonly local: Skel } {
   switch (skel.type) {
     case 'segment': {
       const axis = sub3(skel.b, skel.a);
