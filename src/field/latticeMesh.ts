@@ -5,11 +5,11 @@
  *
  * Each layer of cubes is a slice of work. Only the edges of two layers of nodes are remembered at a time.
  */
-import { cross3, length3, scale3, sub3 } from '../math/tuple.ts';
+import { add3, cross3, length3, scale3, sub3 } from '../math/tuple.ts';
 import type { Vec3 } from '../math/vec.ts';
 import type { Mesh } from '../mesh/mesh.ts';
 import type { Lattice, LatticeValues } from './lattice.ts';
-import { crossing, normalAt } from './surfacePoint.ts';
+import { surfacePoint } from './surfacePoint.ts';
 import { cubeTriangles } from './tetrahedra.ts';
 import type { TreeField } from './treeField.ts';
 
@@ -117,9 +117,9 @@ class Surface {
     const [a, b] = [this.#at(from), this.#at(to)];
     const [valueA, valueB] = [this.#value(from), this.#value(to)];
     const isCut = valueA > 0 === valueB > 0;
-    const t = isCut ? 0.5 : crossing(this.#field, a, b, valueA, valueB);
-    const at: Vec3 = [a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]), a[2] + t * (b[2] - a[2])];
-    const normal = isCut ? this.#outOfBorder(from, to) : normalAt(this.#field, at);
+    const { at, normal } = isCut
+      ? { at: scale3(add3(a, b), 0.5), normal: this.#outOfBorder(from, to) }
+      : surfacePoint(this.#field, a, b, valueA, valueB);
     if (!normal) this.#flat.push(this.#positions.length / 3);
     this.#positions.push(...at);
     this.#normals.push(...(normal ?? [0, 0, 0]));

@@ -78,13 +78,14 @@ export class FieldStage {
     this.wake();
   }
 
-  /** `fit`: it is to fill the picture. */
-  show(mesh: FieldMesh, fit: boolean): void {
-    if (mesh === this.#mesh) return;
+  /** `fit`: it is to fill the picture. False where it is there already. */
+  show(mesh: FieldMesh, fit: boolean): boolean {
+    if (mesh === this.#mesh) return false;
     this.#mesh = mesh;
     this.#box = mesh.indices.length > 0 ? bounds(mesh) : null;
     this.#fit ||= fit;
     this.#sync();
+    return true;
   }
 
   showAll(animate: boolean): void {

@@ -228,10 +228,7 @@ export class RotundField extends LitElement {
 
   #heard(): void {
     const { made } = this.body;
-    if (made) {
-      this.stage.show(made.mesh, this.#fitNext);
-      this.#fitNext = false;
-    }
+    if (made && this.stage.show(made.mesh, this.#fitNext)) this.#fitNext = false;
     this.requestUpdate();
   }
 
@@ -338,7 +335,7 @@ export class RotundField extends LitElement {
   }
 
   protected override updated(changed: PropertyValues): void {
-    if (changed.has('theme')) this.#adapt();
+    if (changed.has('theme') && changed.get('theme') !== undefined) this.#adapt();
   }
 
   #find<T extends Element>(selector: string): T {
