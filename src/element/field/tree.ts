@@ -35,20 +35,25 @@ function bodyOf(state: FieldState): SkelsNode {
   return { type: 'skels', kernel: kernel.name, params, threshold: state.T, skels: [...skels, ...carving] };
 }
 
+/** How much wider than the largest radius a kernel that ends must be: at its very end its weight would be infinite. */
+const WITHIN_SUPPORT = 1.3;
+
 /** Parameters of the state's kernel: those of its sliders, or fitted to the smallest radius. */
 export function paramsOf(state: FieldState): KernelParams {
   const kernel = kernelOf(state);
   const set = Object.fromEntries(kernel.params.map(({ name }) => [name, state[name]]));
   if (state.width === 'own') return set;
-  return at('params', () => widthFor(kernel, set, smallestRadius(state)));
+  const radii = piecesOf(state).flatMap((piece) => ('radii' in piece ? piece.radii : [piece.radius]));
+  const fitted = at('params', () => widthFor(kernel, set, Math.min(...radii)));
+  if (kernel.support === Infinity || fitted.R === undefined) return fitted;
+  return { ...fitted, R: Math.max(fitted.R, (WITHIN_SUPPORT * Math.max(...radii)) / kernel.support) };
 }
 
 /** The weight that the first piece has by its radius. */
 export function firstWeight(state: FieldState): number {
   const weigh = weighByRadius(kernelOf(state), paramsOf(state), state.T);
-  const term = skelOf(piecesOf(state)[0]!, weigh);
-  if (term.type === 'point' || term.type === 'polygon') return term.weight;
-  return term.type === 'segment' || 'weights' in term ? term.weights[0]! : 1;
+  const skel = skelOf(piecesOf(state)[0]!, weigh);
+  return 'weight' in skel ? skel.weight : skel.weights[0]!;
 }
 
 function kernelOf({ kernel }: FieldState): Kernel {
@@ -66,10 +71,6 @@ function piecesOf(state: FieldState): readonly Piece[] {
     const radii = piece.radii.map((radius) => scale * radius);
     return { ...piece, radii: state.skeleton === 'segment' ? [radii[0]!, state.radiusEnd] : radii };
   });
-}
-
-function smallestRadius(state: FieldState): number {
-  return Math.min(...piecesOf(state).flatMap((piece) => ('radii' in piece ? piece.radii : [piece.radius])));
 }
 
 function weigher(state: FieldState, kernel: Kernel, params: KernelParams): Weigh {

@@ -1,8 +1,10 @@
 /** Pieces become skels: their radii become weights of a kernel, or one weight is shared out in the proportion of the radii. */
-import type { AnySkel } from '../../field/expand.ts';
 import type { Kernel, KernelParams } from '../../kernel/kernel.ts';
 import type { Vec2 } from '../../math/vec.ts';
 import { distance3 } from '../../skeleton/curve.ts';
+import type { NurbsSkel } from '../../skeleton/nurbs.ts';
+import type { PolylineSkel } from '../../skeleton/polyline.ts';
+import type { Skel } from '../../skeleton/skels.ts';
 import { lineWeight, plateWeight, pointWeight } from '../../skeleton/weight.ts';
 import type { Piece } from './skeletons.ts';
 
@@ -33,7 +35,10 @@ export function weighByWeight(weight: number, nominal: number, ordinates: Weigh[
   return { point: share, line: share, plate: share, ordinates };
 }
 
-export function skelOf(piece: Piece, weigh: Weigh): AnySkel {
+/** What pieces become. */
+export type WeighedSkel = Skel | PolylineSkel | NurbsSkel;
+
+export function skelOf(piece: Piece, weigh: Weigh): WeighedSkel {
   switch (piece.type) {
     case 'point':
       return { type: 'point', at: piece.at, weight: weigh.point(piece.radius) };
