@@ -22,7 +22,7 @@ export const fieldLayout = css`
   .note { padding: 0.5rem 0.5rem 0; font-size: 0.8125rem; line-height: 1.125rem; color: var(--ink-2); }
 
   .number { display: grid; grid-template-columns: 1fr auto; align-items: baseline; padding: 0.625rem 0.5rem 0; }
-  .number output { font: 600 0.8125rem/1.125rem var(--font); }
+  .number .value { font: 600 0.8125rem/1.125rem var(--font); }
   .number input { grid-column: 1 / -1; }
   .pull { display: grid; gap: 0.25rem; padding: 0.75rem 0.5rem 0; }
   select { appearance: none; font: inherit; color: inherit; width: 100%; min-height: 2.75rem; padding: 0 2.5rem 0 0.75rem; border: 1.5px solid var(--edge); border-radius: 0.75rem; text-overflow: ellipsis; background: var(--surface); cursor: pointer; }

@@ -30,15 +30,16 @@ export function written({ unit }: NumberSpec, value: number): string {
   return unit === '°' ? `${number}°` : unit ? `${number} ${unit}` : number;
 }
 
-/** `of` in place of the table's own range, as for a number of examples. */
-export function slider(desk: Desk, key: NumberKey, of: NumberSpec = NUMBERS[key]): TemplateResult {
+/** The value is in the slider's own words; an output would be told anew at every step. */
+export function slider(desk: Desk, key: NumberKey): TemplateResult {
+  const of: NumberSpec = NUMBERS[key];
   const value = desk.state[key];
   const steps = of.step ? Math.round((of.max - of.min) / of.step) : STEPS;
   const place = Math.round(toSlider(of, value) * steps);
   const moved = (event: Event) =>
     desk.set({ [key]: fromSlider(of, Number((event.target as HTMLInputElement).value) / steps) });
   return html`<div class="number">
-    <label for=${key}>${of.label}</label><output for=${key}>${written(of, value)}</output>
+    <label for=${key}>${of.label}</label><span class="value" aria-hidden="true">${written(of, value)}</span>
     <input id=${key} type="range" min="0" max=${steps} step="1" aria-valuetext=${written(of, value)}
       title="Double-click: ${written(of, of.default)}" style="--fill:${(100 * place) / steps}%"
       .value=${live(String(place))} @input=${moved} @dblclick=${() => desk.set({ [key]: of.default })} />
