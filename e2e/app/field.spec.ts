@@ -50,8 +50,7 @@ test('a body appears in colour, a slider changes it, the address keeps it', asyn
   await expect.poll(async () => (await body(page)).triangles).not.toBe(first.triangles);
   expect(await coloured(page)).toBeGreaterThan(1.1 * orange);
 
-  const address = await page.evaluate(() => location.hash);
-  expect(address).toMatch(/^#radius=\d/);
+  await expect.poll(() => page.evaluate(() => location.hash)).toMatch(/^#radius=\d/);
   await radius.dblclick();
   await expect.poll(() => page.evaluate(() => location.hash)).toBe(COARSE);
   await expect.poll(async () => (await body(page)).triangles).toBe(first.triangles);

@@ -28,7 +28,8 @@ export const fieldLayout = css`
   select { appearance: none; font: inherit; color: inherit; width: 100%; min-height: 2.75rem; padding: 0 2.5rem 0 0.75rem; border: 1.5px solid var(--edge); border-radius: 0.75rem; text-overflow: ellipsis; background: var(--surface); cursor: pointer; }
   .pull { position: relative; }
   .pull::after { content: ''; position: absolute; right: 1.5rem; bottom: 1.25rem; width: 0.5rem; height: 0.5rem; border: solid var(--ink-2); border-width: 0 2px 2px 0; transform: rotate(45deg); pointer-events: none; }
-  .segment { margin-top: 0.25rem; }
+  .dock h4 + .segment { margin-top: 0.25rem; }
+  .tiles + .segment { margin-top: 0.5rem; }
 
   .tiles { display: grid; grid-template-columns: repeat(var(--columns), 1fr); gap: 0.375rem; padding: 0 0.5rem; }
   .tiles button { min-height: 2.75rem; border-radius: 0.75rem; background: var(--sunken); display: flex; flex-direction: column; align-items: center; justify-content: center; font-size: 0.8125rem; line-height: 1.125rem; color: var(--ink-2); padding: 0.25rem; }

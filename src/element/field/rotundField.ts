@@ -2,20 +2,11 @@
  * `<rotund-field>`: a page for developers of fields. Every number and choice of the field core has a control; the body is made
  * beside the page and drawn by the application's own scene. The state is in the address.
  */
-import {
-  html,
-  LitElement,
-  nothing,
-  type PropertyDeclarations,
-  type PropertyValues,
-  type TemplateResult,
-} from 'lit';
+import { html, LitElement, type PropertyDeclarations, type PropertyValues, type TemplateResult } from 'lit';
 import { DEFAULT_LOOK, type Style } from '../../document/look.ts';
 import type { Scene } from '../../scene/index.ts';
 import { isDark } from '../../scene/look.ts';
-import { iconButton, roving } from '../controls.ts';
 import { messageOf } from '../events.ts';
-import { ball, icon, wordmark } from '../icons.ts';
 import { layout } from '../layout.ts';
 import { PointerRouter } from '../pointer.ts';
 import { type BackendChoice, SceneLife, type SceneOwner } from '../sceneLife.ts';
@@ -23,6 +14,7 @@ import { PAPER_OF, reducedMotion, themeOf, watchPixelRatio, watchSystem } from '
 import { tokens } from '../tokens.ts';
 import { viewBall } from '../viewBall.ts';
 import { NO_PICTURE } from '../words.ts';
+import { dock, notice, statusLine, topBar } from './chrome.ts';
 import { FieldBody } from './fieldBody.ts';
 import { FieldHands } from './fieldHands.ts';
 import { fieldLayout } from './fieldLayout.ts';
@@ -30,11 +22,10 @@ import { FieldStage } from './fieldStage.ts';
 import { CHOICES, DEFAULT_STATE, type FieldState } from './fieldState.ts';
 import { FIELD_WORDS } from './fieldWords.ts';
 import { fromHash, toHash } from './hash.ts';
-import { controls } from './panel.ts';
 import { treeOf } from './tree.ts';
 
-/** Colour of the style's lit balls. */
-const BALL = '#dd7f36';
+/** ms without a change until the address is written: browsers refuse more than a hundred in half a minute */
+const SETTLED = 250;
 
 export class RotundField extends LitElement {
   static override styles = [tokens, layout, fieldLayout];
@@ -56,8 +47,11 @@ export class RotundField extends LitElement {
   readonly #life = new SceneLife(this.#owner());
   #stop = new AbortController();
   #viewKey = '';
-  /** a passing word in the status line */
-  #said = '';
+  #writing: ReturnType<typeof setTimeout> | undefined;
+  /** the next body is to fill the picture */
+  #fitNext = true;
+  /** a passing word of the status line */
+  said = '';
   /** what is wrong with the address */
   #badAddress: string | null = null;
   #noPicture: string | null = null;
@@ -85,6 +79,7 @@ export class RotundField extends LitElement {
   override disconnectedCallback(): void {
     super.disconnectedCallback();
     this.#stop.abort();
+    clearTimeout(this.#writing);
     this.#life.close();
     this.stage.detach();
     this.body.stop();
@@ -194,9 +189,9 @@ export class RotundField extends LitElement {
     const before = this.state;
     this.state = { ...before, ...change } as FieldState;
     this.#badAddress = null;
-    this.#said = '';
-    const address = toHash(this.state) || location.pathname + location.search;
-    history.replaceState(history.state, '', address);
+    this.said = '';
+    clearTimeout(this.#writing);
+    this.#writing = setTimeout(() => this.#writeAddress(), SETTLED);
     this.#changed(before);
   }
 
@@ -207,11 +202,14 @@ export class RotundField extends LitElement {
     if (Object.entries(rest).some(([key, value]) => before[key as keyof FieldState] !== value)) this.#make();
   }
 
-  #fitNext = true;
-
   #make(): void {
     const { state } = this;
     this.body.make(() => treeOf(state), state.resolution, state.where === 'gpu');
+  }
+
+  #writeAddress(): void {
+    const address = toHash(this.state) || location.pathname + location.search;
+    history.replaceState(history.state, '', address);
   }
 
   #readAddress(): void {
@@ -240,11 +238,11 @@ export class RotundField extends LitElement {
   }
 
   #say(words: string): void {
-    this.#said = words;
+    this.said = words;
     this.requestUpdate();
   }
 
-  async #copy(): Promise<void> {
+  async copy(): Promise<void> {
     try {
       const text = JSON.stringify(treeOf(this.state), null, 2);
       await navigator.clipboard.writeText(text).then(
@@ -256,11 +254,22 @@ export class RotundField extends LitElement {
     }
   }
 
-  #reset(): void {
+  reset(): void {
     const { style, where } = this.state;
     this.set({ ...DEFAULT_STATE, style, where });
     this.stage.reset();
     this.#say(FIELD_WORDS.reset);
+  }
+
+  fold(): void {
+    this.folded = !this.folded;
+    void this.updateComplete.then(() => this.stage.showAll(true));
+  }
+
+  /** In words: there is no picture, no body, or no sense in the address. */
+  get problem(): string | null {
+    if (this.#noPicture !== null) return `${NO_PICTURE.missing} ${NO_PICTURE.why(this.#noPicture)}`;
+    return this.body.problem ?? (this.#badAddress && FIELD_WORDS.badAddress(this.#badAddress));
   }
 
   // ── drawing ─────────────────────────────────────────────────────────────────────────────────────────
@@ -272,66 +281,8 @@ export class RotundField extends LitElement {
         <canvas class="picture"></canvas>
       </div>
       <span id="keys" class="hidden">Arrow keys turn, plus and minus zoom, Home shows everything, 1 to 4 are styles, W shows the triangles.</span>
-      ${this.#top()} ${this.#dock()} ${this.#status()} ${viewBall(this.stage.view, this.#hands.ball())} ${this.#notice()}
+      ${topBar(this)} ${dock(this)} ${statusLine(this)} ${viewBall(this.stage.view, this.#hands.ball())} ${notice(this.problem)}
     </div>`;
-  }
-
-  #top(): TemplateResult {
-    return html`<div class="top">
-      <div class="tray card title">${wordmark}<b>${FIELD_WORDS.title}</b></div>
-      <div class="tray card" role="radiogroup" aria-label="Style" @keydown=${roving}>
-        ${CHOICES.style.options.map(([id, name]) => {
-          const chosen = this.state.style === id;
-          return html`<button class="style" role="radio" aria-label=${name} title=${name} aria-checked=${chosen} tabindex=${chosen ? 0 : -1}
-            @click=${() => this.set({ style: id })}>${ball(id, BALL)}<span>${name}</span></button>`;
-        })}
-      </div>
-    </div>`;
-  }
-
-  #dock(): TemplateResult {
-    const fold = () => {
-      this.folded = !this.folded;
-      void this.updateComplete.then(() => this.stage.showAll(true));
-    };
-    return html`<aside class="dock card ${this.folded ? 'folded' : ''}" aria-label="Controls">
-      <header>
-        <h2>Body</h2>
-        ${iconButton('home', 'Reset everything', () => this.#reset())}
-        ${iconButton('duplicate', 'Copy the tree as JSON', () => void this.#copy())}
-        ${iconButton('down', this.folded ? 'Show the controls' : 'Hide the controls', fold, { class: 'fold', expanded: !this.folded })}
-      </header>
-      <div class="scroll">${controls(this, this.body.canUseGpu)}</div>
-    </aside>`;
-  }
-
-  #status(): TemplateResult {
-    const { made, progress, problem, difference } = this.body;
-    const { backend } = this.dataset;
-    const settled = problem
-      ? made
-        ? FIELD_WORDS.kept
-        : FIELD_WORDS.none
-      : made && !made.draft
-        ? FIELD_WORDS.body(made)
-        : FIELD_WORDS.making;
-    const picture = backend === 'WebGL2' ? FIELD_WORDS.webgl2 : (backend ?? FIELD_WORDS.loading);
-    const used = this.state.where === 'gpu' ? difference : null;
-    return html`<div class="status">
-      <div class="bar ${progress === null ? '' : 'on'}"><i style="width:${100 * (progress ?? 0)}%"></i></div>
-      <span role="status" aria-live="polite"><b>${this.#said || settled}</b></span>
-      <span><i class="dot ${backend === 'WebGPU' ? '' : 'slow'}"></i>${picture}${made ? ` · ${FIELD_WORDS.facts(made)}` : nothing}</span>
-      ${made ? html`<span>${FIELD_WORDS.work(made, used)}</span>` : nothing}
-    </div>`;
-  }
-
-  #notice(): TemplateResult | typeof nothing {
-    const text =
-      this.#noPicture !== null
-        ? `${NO_PICTURE.missing} ${NO_PICTURE.why(this.#noPicture)}`
-        : (this.body.problem ?? (this.#badAddress && FIELD_WORDS.badAddress(this.#badAddress)));
-    if (!text) return nothing;
-    return html`<div class="notice card" role="alert">${icon('warn')}<span>${text}</span></div>`;
   }
 
   protected override updated(changed: PropertyValues): void {
