@@ -45,6 +45,7 @@ export class FieldBody {
     }
     this.progress = 0;
     const values = onDevice && this.#gpu ? 'page' : 'worker';
+    if (values === 'worker') this.difference = null;
     this.#post({ type: 'make', id: this.#latest, node: this.#node, resolution, values });
     this.#changed();
   }

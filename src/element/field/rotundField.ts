@@ -131,6 +131,7 @@ export class RotundField extends LitElement {
   #show(scene: Scene): void {
     this.dataset.backend = scene.backend;
     this.#noPicture = null;
+    if (this.said === FIELD_WORDS.lost) this.said = '';
     this.stage.attach(scene, reducedMotion());
     this.body.device = scene.device;
     if (this.state.where === 'gpu') this.#make();
