@@ -20,6 +20,11 @@ function turned(yaw: number, pitch: number): Quat {
 /** Where the page looks from at first. */
 export const FIRST_VIEW: View = { ...FRONT_VIEW, rotation: turned(YAW, PITCH) };
 
+/** as many times as large as what the picture was fitted to */
+const OUTGROWN = 1.8;
+
+const longest = ({ min, max }: Box): number => Math.max(max[0] - min[0], max[1] - min[1], max[2] - min[2]);
+
 export class FieldStage {
   scene: Scene | null = null;
   /** of the picture, that the controls cover */
@@ -27,6 +32,8 @@ export class FieldStage {
   readonly #drawn: () => void;
   #mesh: FieldMesh | null = null;
   #box: Box | null = null;
+  /** mm, of the longest side of what was fitted last */
+  #fitted = 1;
   #view: View = FIRST_VIEW;
   #look: Look;
   #size = { width: 1, height: 1, ratio: 1 };
@@ -83,14 +90,23 @@ export class FieldStage {
     if (mesh === this.#mesh) return false;
     this.#mesh = mesh;
     this.#box = mesh.indices.length > 0 ? bounds(mesh) : null;
-    this.#fit ||= fit;
+    this.#fit ||= fit || this.#outgrown;
     this.#sync();
     return true;
   }
 
   showAll(animate: boolean): void {
-    if (this.#box) this.scene?.rig.fit(this.#box, animate, this.margins());
+    if (this.#box) {
+      this.scene?.rig.fit(this.#box, animate, this.margins());
+      this.#fitted = longest(this.#box);
+    }
     this.wake();
+  }
+
+  /** Too large for the picture it was fitted into, or a dot in it. */
+  get #outgrown(): boolean {
+    const share = this.#box ? longest(this.#box) / this.#fitted : 1;
+    return share > OUTGROWN || share < 1 / OUTGROWN;
   }
 
   /** Back to where one looked from at first, with all of the body in the picture. */

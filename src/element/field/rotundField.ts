@@ -227,7 +227,8 @@ export class RotundField extends LitElement {
 
   #heard(): void {
     const { made } = this.body;
-    if (made && this.stage.show(made.mesh, this.#fitNext)) this.#fitNext = false;
+    // a draft may lack what is thin: what comes after it is fitted once more
+    if (made && this.stage.show(made.mesh, this.#fitNext) && !made.draft) this.#fitNext = false;
     this.requestUpdate();
   }
 
