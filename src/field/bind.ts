@@ -46,11 +46,11 @@ function bindNode(node: FieldNode, matrix: Affine, path: string, depth: number):
       return bindSet(node, path, child);
     case 'blend': {
       const operation = here(() => blendUnion(node));
-      return combined(child(node.a, 'a'), child(node.b, 'b'), operation, 'union');
+      return combined([child(node.a, 'a'), child(node.b, 'b')], operation, 'union');
     }
     case 'morph': {
       const operation = here(() => morph(node.t));
-      return combined(child(node.from, 'from'), child(node.to, 'to'), operation, 'union');
+      return combined([child(node.from, 'from'), child(node.to, 'to')], operation, 'union');
     }
     case 'affine': {
       here(() => inverted(node.matrix));
@@ -73,9 +73,8 @@ function bindSet(
     if (parts.length === 0) throw new FieldError(`${type} has no parts`);
     return form === 'hard' ? hardUnion : smoothUnion;
   });
-  return parts
-    .map((part, i) => child(part, `parts[${i}]`))
-    .reduce((whole, part) => combined(whole, part, operation, type));
+  const fields = parts.map((part, i) => child(part, `parts[${i}]`));
+  return combined(fields, operation, type);
 }
 
 function bindShapeNode({ shape, colour }: ShapeNode): TreeField {

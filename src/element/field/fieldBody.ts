@@ -2,7 +2,7 @@
 import type { FromWorker, Made, ToWorker, Wanted } from '../../field/fieldWork.ts';
 import type { FieldNode } from '../../field/node.ts';
 import { messageOf } from '../events.ts';
-import { FieldOnGpu, onGpu } from './fieldOnGpu.ts';
+import { FieldOnGpu } from './fieldOnGpu.ts';
 
 export class FieldBody {
   /** the last that was made */
@@ -27,7 +27,7 @@ export class FieldBody {
   /** The device for values on the GPU; null: there is none. */
   set device(device: GPUDevice | null) {
     this.#gpu?.destroy();
-    this.#gpu = device && onGpu ? new FieldOnGpu(device) : null;
+    this.#gpu = device ? new FieldOnGpu(device) : null;
   }
 
   get canUseGpu(): boolean {

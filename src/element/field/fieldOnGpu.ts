@@ -1,21 +1,10 @@
 /**
- * Lattice values from the graphics device: the one seam between this page and fields on the GPU. While `onGpu` is null the page
- * does not offer them.
+ * Lattice values from the graphics device, and how far they are from the float64 ones.
  */
 import { bindField } from '../../field/bind.ts';
 import { type Lattice, latticePoints } from '../../field/lattice.ts';
 import type { FieldNode } from '../../field/node.ts';
-
-/** What the page needs of a tree on a device. */
-export interface TreeOnGpu {
-  /** Throws a FieldError where the tree has no field. */
-  update(node: FieldNode): void;
-  /** x, y, z of each point → value and gradient of each, four numbers a point */
-  evaluate(points: Float32Array): Promise<Float32Array>;
-  destroy(): void;
-}
-
-export const onGpu: ((device: GPUDevice, node: FieldNode) => TreeOnGpu) | null = null;
+import { type GpuField, gpuField } from '../../gpu/field.ts';
 
 /** points at which the two are compared */
 const SAMPLES = 256;
@@ -29,16 +18,15 @@ export interface GpuValues {
 /** The values of one device; the tree is kept on it from one body to the next. */
 export class FieldOnGpu {
   readonly #device: GPUDevice;
-  #tree: TreeOnGpu | null = null;
+  #tree: GpuField | null = null;
 
   constructor(device: GPUDevice) {
     this.#device = device;
   }
 
   async values(node: FieldNode, lattice: Lattice): Promise<GpuValues> {
-    if (!onGpu) throw new Error('trees are not evaluated on the GPU yet');
     if (this.#tree) this.#tree.update(node);
-    else this.#tree = (onGpu as (device: GPUDevice, node: FieldNode) => TreeOnGpu)(this.#device, node);
+    else this.#tree = gpuField(this.#device, node);
     const points = latticePoints(lattice);
     const found = await this.#tree.evaluate(points);
     const values = Float32Array.from({ length: points.length / 3 }, (_, i) => found[4 * i]!);
