@@ -43,7 +43,13 @@ const page: UserConfig = {
 
 /** What `npm run bench` times in Node. */
 const bench: UserConfig = {
-  build: { ssr: 'tests/bench/field.time.ts', outDir: 'dist/bench', target: 'node20' },
+  ssr: { noExternal: true, external: ['webgpu'] },
+  build: {
+    ssr: true,
+    outDir: 'dist/bench',
+    target: 'node20',
+    rolldownOptions: { input: ['tests/bench/field.time.ts', 'tests/bench/gpu.time.ts'] },
+  },
 };
 
 export default defineConfig(({ mode }) => ({

@@ -56,6 +56,16 @@ test('a body appears in colour, a slider changes it, the address keeps it', asyn
   await expect.poll(async () => (await body(page)).triangles).toBe(first.triangles);
 });
 
+test('on the graphics device it is the same body', async ({ page }) => {
+  await open(page, `/field.html${COARSE}`);
+  const { triangles } = await body(page);
+  await page.getByRole('radio', { name: 'GPU' }).click();
+  await expect(page.locator('.status')).toContainText('GPU float32, off by');
+  expect((await body(page)).triangles).toBe(triangles);
+  const difference = await page.evaluate(() => document.querySelector('rotund-field')!.body.difference);
+  expect(difference).toBeLessThan(1e-4);
+});
+
 test('what has no field is told, and the last body stays', async ({ page }) => {
   await open(page, '/field.html#skeleton=segment&kernel=nonsense');
   await expect(page.getByRole('alert')).toContainText('found “nonsense”');
