@@ -75,7 +75,9 @@ class SkelSum implements TreeField {
     if (!(needed > 0)) return null;
     let box: Box | null = null;
     for (const { field, factor } of this.#terms) {
-      const own = grown(field.box, field.offset(needed / (this.#terms.length * Math.abs(factor))));
+      const offset = field.offset(needed / (this.#terms.length * Math.abs(factor)));
+      if (offset === Infinity) return null;
+      const own = grown(field.box, offset);
       box = box ? unite(box, own) : own;
     }
     return box;

@@ -93,4 +93,7 @@ function check({ points, weights, rational, density }: NurbsSkel, knots: readonl
   if (knots.length !== n + 4 || !clamped || !rising || knots[0] === knots[n]) {
     throw new FieldError(`knots must be ${n + 4} numbers that do not fall, the first and last four alike`);
   }
+  if (knots.some((knot, i) => i > 0 && i < n && knot === knots[i + 3])) {
+    throw new FieldError('more than three knots in one place tear a curve apart');
+  }
 }

@@ -29,7 +29,7 @@ function bind(skel: PolygonSkel, kernel: Kernel, params: KernelParams): SkelFiel
   const per = 1 / unit;
   const edges = edgesOf(region, per);
   const factor = skel.weight * whole(unit, 2 + kernel.homogeneity);
-  const area = region.area * per * per;
+  const covered = region.covered * per * per;
   const frame = new EdgeFrame();
   frame.exponent = checked.n ?? frame.exponent;
   frame.floor2 = kernel.floor2.plate;
@@ -41,7 +41,7 @@ function bind(skel: PolygonSkel, kernel: Kernel, params: KernelParams): SkelFiel
   const bound = (r2: number) => {
     const at = Math.max(r2, frame.floor2);
     const plate = kernel.wholePlane?.(at, frame.exponent) ?? Infinity;
-    return Math.abs(factor) * Math.min(plate, area * kernel.value(at, frame.exponent));
+    return Math.abs(factor) * Math.min(region.turns * plate, covered * kernel.value(at, frame.exponent));
   };
 
   const integrate = (x: number, y: number, z: number, slopes: boolean): void => {
@@ -121,7 +121,7 @@ function edgesOf({ loops }: Region, per: number): Float64Array {
 }
 
 function cornersOf({ loops, middle, u, v }: Region): Vec3[] {
-  return loops[0]!.map(([x, y]): Vec3 => {
+  return loops.flat().map(([x, y]): Vec3 => {
     const along = (axis: 0 | 1 | 2) => middle[axis] + x * u[axis] + y * v[axis];
     return [along(0), along(1), along(2)];
   });

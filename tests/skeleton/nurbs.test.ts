@@ -73,9 +73,22 @@ describe('NURBS skeletons', () => {
     });
   });
 
-  test('more knots in one place make a corner there', () => {
+  test('more knots in one place make a corner there, four would tear it apart', () => {
     const points = vertices({ ...curve, knots: [0, 0, 0, 0, 1, 1, 2, 2, 2, 2], density: 4 });
     expect(points).toHaveLength(9);
+    const seven = {
+      ...curve,
+      points: [...curve.points, [11, 0, 0] as const],
+      weights: [1, 1, 1, 1, 1, 1, 1],
+    };
+    const corner = vertices({ ...seven, knots: [0, 0, 0, 0, 1, 1, 1, 2, 2, 2, 2], density: 4 });
+    expect(corner[4]).toEqual(seven.points[3]);
+    const eight = {
+      ...seven,
+      points: [...seven.points, [12, 0, 0] as const],
+      weights: [...seven.weights, 1],
+    };
+    expect(() => expandNurbs({ ...eight, knots: [0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2] })).toThrow(/tear/);
   });
 
   test('the field converges to that of the curve as 1/density²', () => {
@@ -115,6 +128,7 @@ describe('NURBS skeletons', () => {
     [{ knots: [0, 0, 0, 1, 1, 2, 3, 3, 3, 3] }, /knots/],
     [{ knots: [0, 0, 0, 0, 2, 1, 3, 3, 3, 3] }, /knots/],
     [{ knots: [0, 0, 0, 0, 1, 3, 3, 3, 3] }, /knots must be 10 numbers/],
+    [{ knots: [0, 0, 0, 0, 0, 1, 3, 3, 3, 3] }, /tear a curve apart/],
   ])('%j is refused', (change, message) => {
     expect(() => expandNurbs({ ...curve, ...change })).toThrow(message);
   });
