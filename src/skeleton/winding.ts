@@ -27,8 +27,7 @@ export function windingOf(loops: readonly Loop[], area: number): Winding {
 }
 
 function isTidy(loops: readonly Loop[]): boolean {
-  const edges = loops.flatMap((loop) => loop.map((b, i): Edge => [loop.at(i - 1)!, b]));
-  if (edges.some((e, i) => edges.some((f, j) => j > i && meet(e, f)))) return false;
+  if (anyMeet(loops.flatMap((loop) => loop.map((b, i): Edge => [loop.at(i - 1)!, b])))) return false;
   const [outline, ...holes] = loops;
   return holes.every((hole) => {
     const around = holes.some((other) => other !== hole && holds(other, hole[0]!));
@@ -38,14 +37,25 @@ function isTidy(loops: readonly Loop[]): boolean {
 
 type Edge = readonly [Vec2, Vec2];
 
-/** Neighbours, which share a vertex, do not count; a touch does. */
-function meet([a, b]: Edge, [c, d]: Edge): boolean {
-  if (a === d || b === c) return false;
-  for (const i of [0, 1] as const) {
-    if (Math.max(a[i], b[i]) < Math.min(c[i], d[i]) || Math.max(c[i], d[i]) < Math.min(a[i], b[i])) {
-      return false;
+const low = ([a, b]: Edge, axis: 0 | 1) => Math.min(a[axis], b[axis]);
+const high = ([a, b]: Edge, axis: 0 | 1) => Math.max(a[axis], b[axis]);
+
+/** From left to right: an edge meets none that begins beyond its end. */
+function anyMeet(edges: readonly Edge[]): boolean {
+  const sorted = [...edges].sort((e, f) => low(e, 0) - low(f, 0));
+  return sorted.some((edge, i) => {
+    const end = high(edge, 0);
+    for (let j = i + 1; j < sorted.length && low(sorted[j]!, 0) <= end; j++) {
+      if (meet(edge, sorted[j]!)) return true;
     }
-  }
+    return false;
+  });
+}
+
+/** Of two that share a stretch of x. Neighbours, which share a vertex, do not count; a touch does. */
+function meet(e: Edge, f: Edge): boolean {
+  const [[a, b], [c, d]] = [e, f];
+  if (a === d || b === c || high(e, 1) < low(f, 1) || high(f, 1) < low(e, 1)) return false;
   const [ab, cd] = [sub2(b, a), sub2(d, c)];
   const apart = (along: Vec2, p: Vec2, q: Vec2) => cross2(along, p) * cross2(along, q) > 0;
   return !apart(ab, sub2(c, a), sub2(d, a)) && !apart(cd, sub2(a, c), sub2(b, c));

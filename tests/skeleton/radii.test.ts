@@ -102,7 +102,7 @@ describe('radii', () => {
     ['quartic', { R: 4 }],
     ['power', { s: 0.6, n: 5 }],
   ] satisfies [string, KernelParams][])(
-    'the tube of a ring of 20 radii has its radius, %s: 0.2 %% up and down, 4 %% of shift outwards',
+    'the tube of a ring of 20 radii has its radius up and down, a little more inwards than outwards, %s',
     (kernel, params) => {
       for (const skel of [ring(96), turn]) {
         const field = bound(kernel, params, skel);
