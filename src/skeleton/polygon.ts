@@ -16,6 +16,9 @@ import type { PolygonSkel } from './skels.ts';
 
 export const polygon: Skeleton<PolygonSkel> = { name: 'polygon', bind };
 
+/** kernel units; farther away nothing is left but what sums over edges do not cancel, and their squares overflow */
+const FARTHEST = 1e30;
+
 /** of an edge in the array: both ends, direction, length */
 const STRIDE = 7;
 
@@ -35,7 +38,7 @@ function bind(skel: PolygonSkel, kernel: Kernel, params: KernelParams): SkelFiel
   frame.floor2 = kernel.floor2.plate;
   const integral = new Float64Array(3);
   const { support } = kernel;
-  const beyond = region.radius * per + support;
+  const beyond = region.radius * per + Math.min(support, FARTHEST);
   // value and gradient in the frame of the plane, kernel units
   const sum = new Float64Array(4);
   const bound = (r2: number) => {
