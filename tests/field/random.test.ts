@@ -1,10 +1,11 @@
 /** What any tree owes, on trees drawn by lot. */
 import { describe, expect, test } from 'vitest';
+import type { Affine } from '../../src/field/affine.ts';
 import { bindField } from '../../src/field/bind.ts';
 import type { TreeField } from '../../src/field/treeField.ts';
 import type { Box } from '../../src/skeleton/skeleton.ts';
 import { Lot, randomBody, randomTree } from './randomTrees.ts';
-import { gradientError, type Point } from './trees.ts';
+import { evaluated, gradientError, type Point, SKEW } from './trees.ts';
 
 const TREES = 60;
 const SEED = 4000;
@@ -73,6 +74,29 @@ describe('trees drawn by lot', () => {
     }
   });
 
+  test(`a body keeps its values under any matrix, gradients follow (${TREES} bodies from seed ${SEED})`, () => {
+    for (let seed = SEED; seed < SEED + TREES; seed++) {
+      const lot = new Lot(seed);
+      const body = randomBody(lot);
+      const size = [1, 1e6, 1e-6][seed % 3]!;
+      // sheared and mirrored
+      const m = SKEW.map((entry) => size * entry) as unknown as Affine;
+      const [still, moved] = [bindField(body), bindField({ type: 'affine', matrix: m, node: body })];
+      const away = lot.many(8, () => {
+        const p = lot.place();
+        const [value, ...gradient] = evaluated(still, p);
+        const [found, gx, gy, gz] = evaluated(moved, applied(m, p));
+        // ∇f = Mᵀ ∇f′
+        const back = [0, 1, 2].map((k) => m[k]! * gx + m[4 + k]! * gy + m[8 + k]! * gz);
+        const steep = 1 + Math.abs(value) + Math.max(...gradient.map(Math.abs));
+        return Math.max(...[found - value, ...back.map((x, k) => x - gradient[k]!)].map(Math.abs)) / steep;
+      });
+      expect(Math.max(...away), `seed ${seed}`).toBeLessThan(1e-7);
+      const places = lot.many(8, () => applied(m, lot.place()));
+      expect(faults(moved, places, size), `seed ${seed}`).toEqual([]);
+    }
+  });
+
   test(`a sum is finite on its skels: ends, vertices, middles, beyond (${TREES} bodies from seed ${SEED})`, () => {
     for (let seed = SEED; seed < SEED + TREES; seed++) {
       const body = randomBody(new Lot(seed));
@@ -88,6 +112,11 @@ describe('trees drawn by lot', () => {
     }
   });
 });
+
+const applied = (m: Affine, [x, y, z]: Point): Point => {
+  const row = (r: number) => m[r]! * x + m[r + 1]! * y + m[r + 2]! * z + m[r + 3]!;
+  return [row(0), row(4), row(8)];
+};
 
 /** The points among the data of a skel. */
 function vectors(entry: unknown): Point[] {
