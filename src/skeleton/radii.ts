@@ -72,41 +72,45 @@ export function weighted(
   switch (skel.type) {
     case 'point': {
       const { type, at: place, radius } = skel;
-      return {
-        type,
-        at: place,
-        weight: at('radius', () => pointWeight(kernel, params, radius, threshold)),
-      };
+      const weight = at('radius', () => pointWeight(kernel, params, radius, threshold));
+      return { type, at: place, weight };
     }
     case 'segment':
       return roundSegment(skel, weights);
-    case 'polyline': {
-      const { radii, ...line } = skel;
-      checkCount(skel);
-      return { ...line, weights: weights(radii, lengthOf(line.points, line.closed)) };
-    }
-    case 'nurbs': {
-      const { radii, ...curve } = skel;
-      checkCount(skel);
-      const { points, weights: along, closed } = nurbsPolyline({ ...curve, weights: radii });
-      // between control points no radius is larger or smaller: what is wrong is named here, by its own number
-      weights(radii, lengthOf(points, closed));
-      return weighted({ type: 'polyline', points, radii: along, closed }, kernel, params, threshold);
-    }
-    case 'arc': {
-      const { radii, ...arc } = skel;
-      const [start, end] = weights(radii, distance3(arc.centre, arc.start) * Math.abs(arc.angle));
-      return { ...arc, weights: [start!, end!] };
-    }
+    case 'polyline':
+      return roundLine(skel, weights);
+    case 'nurbs':
+      return roundCurve(skel, weights);
+    case 'arc':
+      return roundArc(skel, weights);
     default:
       throw new FieldError(`a ${(skel as { type: string }).type} has weights, not radii`);
   }
 }
 
-function roundSegment(
-  { a, b, radii }: RoundSegment,
-  weights: (radii: readonly number[], length: number) => number[],
-): SegmentSkel {
+/** Of radii along a curve of `length` mm. */
+type Weights = (radii: readonly number[], length: number) => number[];
+
+function roundLine({ radii, ...line }: ByRadii<PolylineSkel>, weights: Weights): PolylineSkel {
+  checkCount(line.points, radii);
+  return { ...line, weights: weights(radii, lengthOf(line.points, line.closed)) };
+}
+
+function roundCurve({ radii, ...curve }: ByRadii<NurbsSkel>, weights: Weights): PolylineSkel {
+  checkCount(curve.points, radii);
+  const { weights: along, ...line } = nurbsPolyline({ ...curve, weights: radii });
+  // between control points no radius is larger or smaller: what is wrong is named here, by its own number
+  weights(radii, lengthOf(line.points, line.closed));
+  return roundLine({ ...line, radii: along }, weights);
+}
+
+function roundArc({ radii, ...arc }: ByRadii<ArcSkel>, weights: Weights): ArcSkel {
+  if (radii.length !== 2) throw new FieldError(`an arc has 2 radii, found ${radii.length}`);
+  const [start, end] = weights(radii, distance3(arc.centre, arc.start) * Math.abs(arc.angle));
+  return { ...arc, weights: [start!, end!] };
+}
+
+function roundSegment({ a, b, radii }: RoundSegment, weights: Weights): SegmentSkel {
   if (radii.length !== 2) throw new FieldError(`a segment has 2 radii, found ${radii.length}`);
   const [w0, w1] = weights(radii, distance3(a, b));
   const segment = linearSegment(a, b, w0!, w1!);
@@ -114,7 +118,7 @@ function roundSegment(
   return segment;
 }
 
-function checkCount({ points, radii }: ByRadii<PolylineSkel> | ByRadii<NurbsSkel>): void {
+function checkCount(points: readonly Vec3[], radii: readonly number[]): void {
   if (radii.length === points.length) return;
   throw new FieldError(`${points.length} points need as many radii, got ${radii.length}`);
 }

@@ -4,7 +4,8 @@ import type { Affine } from '../../src/field/affine.ts';
 import { bindField } from '../../src/field/bind.ts';
 import type { TreeField } from '../../src/field/treeField.ts';
 import type { Box } from '../../src/skeleton/skeleton.ts';
-import { Lot, randomBody, randomTree } from './randomTrees.ts';
+import { Lot } from './lot.ts';
+import { randomBody, randomTree } from './randomTrees.ts';
 import { evaluated, gradientError, type Point, SKEW } from './trees.ts';
 
 const TREES = 60;
