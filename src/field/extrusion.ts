@@ -2,7 +2,8 @@
  * Extrusion along y (Tai et al. (20), whose left side is the generic radius): r² = x² + |y|^α, a slab of half thickness
  * about 1 mm whatever the radius, times the warp's scale in y: a slider for that one is a thickness.
  *
- * |y|^α is kept below 1e12 (a radius of 1 km), or float32 would overflow not far outside for α = 100.
+ * |y|^α is kept below 1e12 (a radius of 1 km), or float32 would overflow not far outside for α = 100. A skel thicker than
+ * that has no end along y.
  */
 import { pow } from '../math/pow.ts';
 import { FieldError } from '../skeleton/skeleton.ts';
@@ -36,6 +37,6 @@ export function extrusion({ exponent }: Extrusion): Section {
       out[1] = half * 2 * x * (1 - m2);
       out[2] = half * (steep - 2 * y * m2);
     },
-    extent: (r) => [r, pow(r, 2 / exponent)],
+    extent: (r) => [r, r * r < MOST ? pow(r, 2 / exponent) : Infinity],
   };
 }

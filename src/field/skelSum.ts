@@ -13,10 +13,14 @@ export interface BoundTerm {
   readonly colour: Colour;
 }
 
-/** FieldError when there is nothing to add, or the threshold is not above 0. */
-export function skelSum(terms: readonly BoundTerm[], threshold: number): TreeField {
+/** FieldError when it is not above 0. */
+export function checkThreshold(threshold: number): void {
   if (!(threshold > 0 && threshold < Infinity))
     throw new FieldError(`threshold must be above 0, got ${threshold}`);
+}
+
+/** FieldError when there is nothing to add. */
+export function skelSum(terms: readonly BoundTerm[], threshold: number): TreeField {
   if (terms.length === 0) throw new FieldError('a body needs at least one skel');
   return new SkelSum(terms, threshold);
 }
@@ -77,7 +81,9 @@ class SkelSum implements TreeField {
     if (!(needed > 0)) return null;
     let box: Box | null = null;
     for (const { field, factor } of this.#terms) {
-      const own = grown(field.box, field.offset(needed / (this.#terms.length * Math.abs(factor))));
+      const offset = field.offset(needed / (this.#terms.length * Math.abs(factor)));
+      if (offset === Infinity) return null;
+      const own = grown(field.box, offset);
       box = box ? unite(box, own) : own;
     }
     return box;

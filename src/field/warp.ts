@@ -32,6 +32,7 @@ export interface Warp {
  */
 export function bindWarped(skel: Skel, warp: Warp, bind: (local: Skel) => SkelField): SkelField {
   const [bx, by] = warp.scale;
+  if (warp.scale.length !== 2) throw new FieldError(`scale must be 2 numbers, got ${warp.scale.length}`);
   for (const [i, scale] of warp.scale.entries()) {
     if (!(scale > 0 && scale < Infinity)) throw new FieldError(`scale[${i}] must be above 0, got ${scale}`);
   }
@@ -151,6 +152,7 @@ class Warped implements SkelField {
   offset(threshold: number): number {
     const reach = this.#skel.offset(threshold);
     if (!(reach > 0)) return 0;
+    if (Math.max(...this.#halfSizes(reach)) === Infinity) return Infinity;
     const box = this.#boxAt(reach);
     const out = [0, 1, 2].flatMap((i) => [this.box.min[i]! - box.min[i]!, box.max[i]! - this.box.max[i]!]);
     return Math.max(...out);
@@ -159,12 +161,19 @@ class Warped implements SkelField {
   /** Holds all points that are mapped to within `reach` of the plain skel's box. */
   #boxAt(reach: number): Box {
     const { min, max } = this.#skel.box;
-    const far = (i: 0 | 1) => Math.max(-min[i], max[i]);
-    const [hx, hy] = this.#section.extent(Math.sqrt(far(0) * far(0) + far(1) * far(1)) + reach);
-    const half = [this.#bx * hx, this.#by * hy] as const;
-    const local: Box = { min: [-half[0], -half[1], min[2] - reach], max: [half[0], half[1], max[2] + reach] };
+    const [hx, hy] = this.#halfSizes(reach);
+    const local: Box = { min: [-hx, -hy, min[2] - reach], max: [hx, hy, max[2] + reach] };
     const { origin: o, x, y, z } = this.#frame;
     const toWorld: Affine = [x[0], y[0], z[0], o[0], x[1], y[1], z[1], o[1], x[2], y[2], z[2], o[2]];
     return mappedBox(toWorld, local);
+  }
+
+  /** Of that box across the skel. What is flat stays flat: points are moved towards the axis or away from it only. */
+  #halfSizes(reach: number): readonly [x: number, y: number] {
+    const { min, max } = this.#skel.box;
+    const far = (i: 0 | 1) => Math.max(-min[i], max[i]);
+    const [wide, high] = [far(0), far(1)];
+    const [hx, hy] = this.#section.extent(Math.sqrt(wide * wide + high * high) + reach);
+    return [wide + reach === 0 ? 0 : this.#bx * hx, high + reach === 0 ? 0 : this.#by * hy];
   }
 }

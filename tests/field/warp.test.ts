@@ -93,6 +93,20 @@ describe('warped skels', () => {
     }
   });
 
+  test('an extruded skel thicker than a kilometre has no end, and says so', () => {
+    const extruded = (radius: number) => {
+      const warp: Warp = { section: { type: 'extrusion', exponent: 2 }, scale: [1, 1], up: [0, 1, 0] };
+      const ends = { a: [0, 0, -9e6], b: [0, 0, 9e6] } as const;
+      const skel = { type: 'segment', ...ends, radii: [radius, radius] } as const;
+      return bindField({ ...body({ skel, warp }), params: { s: 1 / radius } } as FieldNode);
+    };
+    const [thin, thick] = [extruded(1e5), extruded(2e6)];
+    expect(thin.box!.max.every(Number.isFinite)).toBe(true);
+    expect(thin.value(0, thin.box!.max[1] * 1.01, 0)).toBeLessThan(0);
+    expect(thick.value(0, 1e9, 0)).toBeGreaterThan(0);
+    expect(thick.box).toBeNull();
+  });
+
   test('only along and up tell where a section points: it moves and turns with them (seed 43)', () => {
     const warp: Warp = { section: { type: 'polar', radii: flower }, scale: [1, 2], up: [0, 1, 0] };
     const turned: Warp = { ...warp, up: [0, 0, 1] };
@@ -125,6 +139,11 @@ describe('warped skels', () => {
       'a point without along',
       { skel: point, warp: { section: { type: 'round' }, scale: [1, 1], up } },
       /along/,
+    ],
+    [
+      'one scale',
+      { skel: segment, warp: { section: { type: 'round' }, scale: [1] as never, up } },
+      /scale must be 2 numbers, got 1/,
     ],
     ['no width', { skel: segment, warp: { section: { type: 'round' }, scale: [1, 0], up } }, /scale\[1\]/],
     [
