@@ -11,7 +11,7 @@ export interface Section {
   /** m at (x, y); 1 at the origin */
   value(x: number, y: number): number;
   evaluate(x: number, y: number, out: Stretch): void;
-  /** half sizes of what is mapped into the disc of radius `r`; Infinity where that has no end */
+  /** half sizes of what is mapped into the disc of radius `r` */
   extent(r: number): readonly [x: number, y: number];
 }
 

@@ -81,9 +81,7 @@ class SkelSum implements TreeField {
     if (!(needed > 0)) return null;
     let box: Box | null = null;
     for (const { field, factor } of this.#terms) {
-      const offset = field.offset(needed / (this.#terms.length * Math.abs(factor)));
-      if (offset === Infinity) return null;
-      const own = grown(field.box, offset);
+      const own = grown(field.box, field.offset(needed / (this.#terms.length * Math.abs(factor))));
       box = box ? unite(box, own) : own;
     }
     return box;

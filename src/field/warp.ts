@@ -152,7 +152,6 @@ class Warped implements SkelField {
   offset(threshold: number): number {
     const reach = this.#skel.offset(threshold);
     if (!(reach > 0)) return 0;
-    if (Math.max(...this.#halfSizes(reach)) === Infinity) return Infinity;
     const box = this.#boxAt(reach);
     const out = [0, 1, 2].flatMap((i) => [this.box.min[i]! - box.min[i]!, box.max[i]! - this.box.max[i]!]);
     return Math.max(...out);

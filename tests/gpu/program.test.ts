@@ -8,7 +8,8 @@ import type { FieldNode } from '../../src/field/node.ts';
 import type { Operation } from '../../src/field/operation.ts';
 import { smoothUnion } from '../../src/field/smoothUnion.ts';
 import { programOf, ROLE, STACK, type Step, TAKE } from '../../src/gpu/program.ts';
-import { randomTrees } from '../field/randomTree.ts';
+import { Lot } from '../field/lot.ts';
+import { randomTree } from '../field/randomTrees.ts';
 import { points, sphere } from '../field/trees.ts';
 
 type Leaf = Extract<FieldNode, { readonly type: 'skels' | 'shape' }>;
@@ -35,6 +36,11 @@ function operationOf({ operation, amounts: [a0, a1, a2] }: Step): Operation {
   if (operation === 1) return smoothUnion;
   return operation === 2 ? blendUnion({ a0: a0!, a1: a1!, a2: a2! }) : morph(a0!);
 }
+
+const trees = (seed: number, count: number): FieldNode[] => {
+  const lot = new Lot(seed);
+  return lot.many(count, () => randomTree(lot, 5));
+};
 
 /** What the steps come to when leaf k has values[k], and how high the stack grew. */
 function run(steps: readonly Step[], leafOf: ReadonlyMap<string, number>): { value: number; height: number } {
@@ -65,7 +71,7 @@ const key = ({ take, at, place }: Step) => `${take} ${at} ${place}`;
 
 describe('a program', () => {
   it('is its tree: 100 random trees, seed 43', () => {
-    for (const node of randomTrees(43, 100, 5)) {
+    for (const node of trees(43, 100)) {
       const { steps } = programOf(node);
       const own = leaves(node).map((leaf) => bindField(leaf));
       const order = leafSteps(steps);
@@ -95,7 +101,7 @@ describe('a program', () => {
     expect(heightOf(nest(199, 'left'))).toBe(0);
     expect(heightOf(nest(199, 'right'))).toBe(0);
     expect(heightOf(nest(10, 'both'))).toBeLessThanOrEqual(10);
-    for (const node of randomTrees(45, 60, 6)) {
+    for (const node of trees(45, 60)) {
       expect(2 ** heightOf(node)).toBeLessThanOrEqual(leaves(node).length);
     }
     expect(STACK).toBeGreaterThanOrEqual(16);

@@ -58,8 +58,8 @@ describe('radii', () => {
     const tree = treeOf(state({ skeleton: 'segment', by: 'weight', weight: 2, degree: '3', weight3: 3 }));
     if (tree.type !== 'skels') throw new Error('a body was wanted');
     const skel = tree.skels[0]!.skel;
-    if (skel.type !== 'segment') throw new Error('a segment was wanted');
-    const at = (t: number) => (skel.weights as readonly number[]).reduce((sum, w, k) => sum + w * t ** k, 0);
+    if (skel.type !== 'segment' || !('weights' in skel)) throw new Error('a segment was wanted');
+    const at = (t: number) => skel.weights.reduce((sum, w, k) => sum + w * t ** k, 0);
     const { weight1, weight2 } = DEFAULT_STATE;
     expect(at(0)).toBeCloseTo(2);
     expect(at(100)).toBeCloseTo(6);
