@@ -39,6 +39,10 @@ class Place {
   /** ∫ Q⁻², and where the foot is beyond ∫ Q⁻³ */
   two = 0.5;
   three = 0.5;
+  /** what the kernel's contract calls the integral over a line */
+  value = 0.5;
+  across = 0.5;
+  along = 0.5;
 }
 
 /** one for all lines, filled again for each evaluation */
@@ -65,7 +69,10 @@ class CauchyLine implements LineField {
 
   value(x: number, y: number, z: number): number {
     this.#see(x, y, z);
-    if (this.#isFar(false)) return this.#sampled();
+    if (this.#isFar(false)) {
+      this.#sample();
+      return at.value;
+    }
     const { length, w1 } = this;
     const { t } = at;
     const one = length * (0.5 * length - t) * at.ends;
@@ -75,30 +82,12 @@ class CauchyLine implements LineField {
 
   add(x: number, y: number, z: number, factor: number, out: Float64Array): void {
     this.#see(x, y, z);
-    if (this.#isFar(true)) {
-      this.#addSampled(factor, out);
-      return;
-    }
-    const { length, w0, w1 } = this;
-    const { t, m2, ends, two } = at;
-    const rest = length - t;
-    const one = length * (0.5 * length - t) * ends;
-    const foot = w0 + w1 * t;
-    const a = m2 + t * t;
-    const b = m2 + rest * rest;
-    const a2 = a * a;
-    const b2 = b * b;
-    const ends2 = ends * ends;
-    const three = at.isBeyond ? at.three : (0.25 * ((rest * a2 + t * b2) * ends2 + 3 * two)) / m2;
-    const across = -4 * foot * three - 2 * w1 * one * (a + b) * ends;
-    const along = (w0 * b2 - (w0 + w1 * length) * a2) * ends2 + w1 * two;
-    this.#add(factor, foot * two + w1 * one, across, along, out);
-  }
-
-  #add(factor: number, value: number, across: number, along: number, out: Float64Array): void {
+    if (this.#isFar(true)) this.#sample();
+    else this.#close();
     const { u } = this;
+    const { across, along } = at;
     const steep = factor * this.per;
-    out[0] = out[0]! + factor * value;
+    out[0] = out[0]! + factor * at.value;
     out[1] = out[1]! + steep * (across * at.x + along * u[0]!);
     out[2] = out[2]! + steep * (across * at.y + along * u[1]!);
     out[3] = out[3]! + steep * (across * at.z + along * u[2]!);
@@ -145,19 +134,26 @@ class CauchyLine implements LineField {
     return false;
   }
 
-  #sampled(): number {
-    const half = 0.5 * this.length;
-    const { t, m2 } = at;
-    let sum = 0;
-    for (let i = 0; i < 5; i++) {
-      const from = half + half * NODES[i]!;
-      const q = 1 / (m2 + (from - t) * (from - t));
-      sum += half * NODE_WEIGHTS[i]! * (this.w0 + this.w1 * from) * q * q;
-    }
-    return sum;
+  /** Value and slopes of what is not far. */
+  #close(): void {
+    const { length, w0, w1 } = this;
+    const { t, m2, ends, two } = at;
+    const rest = length - t;
+    const one = length * (0.5 * length - t) * ends;
+    const foot = w0 + w1 * t;
+    const a = m2 + t * t;
+    const b = m2 + rest * rest;
+    const a2 = a * a;
+    const b2 = b * b;
+    const ends2 = ends * ends;
+    const three = at.isBeyond ? at.three : (0.25 * ((rest * a2 + t * b2) * ends2 + 3 * two)) / m2;
+    at.value = foot * two + w1 * one;
+    at.across = -4 * foot * three - 2 * w1 * one * (a + b) * ends;
+    at.along = (w0 * b2 - (w0 + w1 * length) * a2) * ends2 + w1 * two;
   }
 
-  #addSampled(factor: number, out: Float64Array): void {
+  /** Value and slopes from afar. */
+  #sample(): void {
     const half = 0.5 * this.length;
     const { t, m2 } = at;
     let value = 0;
@@ -171,7 +167,9 @@ class CauchyLine implements LineField {
       across -= 4 * two * q;
       along += 4 * (from - t) * two * q;
     }
-    this.#add(factor, value, across, along, out);
+    at.value = value;
+    at.across = across;
+    at.along = along;
   }
 }
 
