@@ -6,6 +6,8 @@ const CHROMIUM = needChromium();
 process.exit(
   run('npx', ['vitest', 'bench', '--run', '--project', 'unit']) ||
     run('npx', ['vite', 'build', '-c', 'vite.cli.config.ts', '--mode', 'bench']) ||
-    run('node', ['dist/bench/field.time.js']) ||
+    run('node', ['dist/bench/segment.time.js']) ||
+    run('node', ['dist/bench/polygon.time.js']) ||
+    run('node', ['dist/bench/scene.time.js']) ||
     run('npx', ['playwright', 'test', '--project', 'bench', '--reporter=line'], { CHROMIUM }),
 );
