@@ -7,6 +7,7 @@
 import earcut, { deviation, flatten } from 'earcut';
 import type { Kernel } from '../../src/kernel/kernel.ts';
 import type { Vec2 } from '../../src/math/vec.ts';
+import type { SkelField } from '../../src/skeleton/skeleton.ts';
 import type { PolygonSkel } from '../../src/skeleton/skels.ts';
 import { based, type Triangle } from './basedTriangle.ts';
 import { clippedQuartic } from './clippedQuartic.ts';
@@ -30,7 +31,7 @@ export function trianglesOf({ loops }: PolygonSkel): readonly Triangle[] {
 }
 
 /** CIT: the sum over edges of every triangle. */
-export function edgesOfTriangles(skel: PolygonSkel, kernel: Kernel): readonly Timed[] {
+export function edgesOfTriangles(skel: PolygonSkel, kernel: Kernel): readonly SkelField[] {
   return trianglesOf(skel).map((triangle) => bound({ ...skel, loops: [triangle] }, kernel));
 }
 
