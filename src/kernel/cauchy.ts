@@ -1,15 +1,15 @@
 /**
  * The Cauchy kernel 1/(1 + s²r²)² (Zhu et al. 2011 §3.2; Jin & Tai 2002), in units of 1/s.
  *
- * Segments: FIELD-NOTES §2 (inversePower.ts). Polygons: FIELD-NOTES §3 (powerEdge.ts): one arc tangent an edge, where Zhu's
- * (16) has four, lacks its bracket, and divides by a component of the edge.
+ * Segments: FIELD-NOTES §2 (cauchyLine.ts for linear weights, inversePower.ts). Polygons: FIELD-NOTES §3 (cauchyEdge.ts): one arc
+ * tangent an edge, where Zhu's (16) has four, lacks its bracket, and divides by a component of the edge.
  */
 import { PI } from '../math/trig.ts';
+import { cauchyEdge } from './cauchyEdge.ts';
 import { cauchyLine } from './cauchyLine.ts';
 import { inversePower } from './inversePower.ts';
 import type { Kernel } from './kernel.ts';
 import { S } from './params.ts';
-import { powerEdge } from './powerEdge.ts';
 
 export const cauchy: Kernel = {
   name: 'cauchy',
@@ -23,7 +23,7 @@ export const cauchy: Kernel = {
   slope: (r2) => -2 / ((1 + r2) * (1 + r2) * (1 + r2)),
   line: (frame, out) => inversePower(frame, 1 + frame.rho2, 4, out),
   linear: cauchyLine,
-  edge: (frame, out) => powerEdge(frame, 1 + frame.z * frame.z, 4, out),
+  edge: cauchyEdge,
   wholeLine: (r2) => (0.5 * PI) / ((1 + r2) * Math.sqrt(1 + r2)),
   wholePlane: (r2) => PI / (1 + r2),
 };
