@@ -62,6 +62,26 @@ export class EdgeFrame {
  */
 export type Integral = Float64Array;
 
+/** A line with the weight w0 + w1 t, t from its first end: kernel units but for the place. */
+export interface LinearLine {
+  /** the first end, mm */
+  readonly a: ArrayLike<number>;
+  /** the direction */
+  readonly u: ArrayLike<number>;
+  /** kernel units of a millimetre */
+  readonly per: number;
+  readonly length: number;
+  readonly w0: number;
+  readonly w1: number;
+}
+
+/** The integral over a line from the point itself on, mm. */
+export interface LineField {
+  value(x: number, y: number, z: number): number;
+  /** Adds `factor` times value and gradient to `out`. */
+  add(x: number, y: number, z: number, factor: number, out: Float64Array): void;
+}
+
 export interface Kernel {
   readonly name: string;
   /** what people read */
@@ -81,6 +101,8 @@ export interface Kernel {
   slope(r2: number, exponent: number): number;
   /** Over a segment of a length above 0, weight of degree 0–3. */
   line(frame: LineFrame, out: Integral): void;
+  /** A quicker way for linear weights, with nothing in between; null for lines for which it is none. */
+  readonly linear?: (line: LinearLine) => LineField | null;
   /** One edge's share of a planar polygon of weight 1; null where polygons have no field. */
   readonly edge: ((frame: EdgeFrame, out: Integral) => void) | null;
   /** ∫ f over an infinite line at squared distance r2: for weights from radii; null where it diverges */

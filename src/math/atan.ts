@@ -16,41 +16,48 @@ const QUARTER = 0.7853981633974483;
 const QUARTER_REST = 3.061616997868383e-17;
 const HALF = 1.5707963267948966;
 const HALF_REST = 6.123233995736766e-17;
+const THREE = 2.356194490192345;
+const THREE_REST = 9.184850993605148e-17;
 const PI_REST = 1.2246467991473532e-16;
 
 /** The angle of (x, y), −π…π. Finite arguments, not both 0. */
 export function fastAtan2(y: number, x: number): number {
   const ay = y < 0 ? -y : y;
-  const ax = x < 0 ? -x : x;
   let n = ay;
-  let d = ax;
+  let d = x;
   let base = 0;
   let rest = 0;
-  if (ay > TAN_8 * ax) {
-    const isSteep = ax <= TAN_8 * ay;
-    n = isSteep ? -ax : ay - ax;
-    d = isSteep ? ay : ay + ax;
-    base = isSteep ? HALF : QUARTER;
-    rest = isSteep ? HALF_REST : QUARTER_REST;
+  if (TAN_8 * ay >= (x < 0 ? -x : x)) {
+    n = -x;
+    d = ay;
+    base = HALF;
+    rest = HALF_REST;
+  } else if (x > 0) {
+    if (ay > TAN_8 * x) {
+      n = ay - x;
+      d = ay + x;
+      base = QUARTER;
+      rest = QUARTER_REST;
+    }
+  } else if (ay > -TAN_8 * x) {
+    n = -ay - x;
+    d = ay - x;
+    base = THREE;
+    rest = THREE_REST;
+  } else {
+    base = PI;
+    rest = PI_REST;
   }
   const t = n / d;
   const z = t * t;
   const w = z * z;
-  // even and odd terms apart, so that they are computed side by side
-  const even =
-    -0.3333333333333333 +
-    w *
-      (-0.14285714284657894 +
-        w *
-          (-0.09090904549884611 +
-            w * (-0.06664502215671447 + w * (-0.05085030492810941 + w * -0.019162068915902577))));
-  const odd =
-    0.1999999999999548 +
-    w *
-      (0.11111111014561013 +
-        w * (0.07692182535116648 + w * (0.058580687568615106 + w * 0.03921955253255129)));
-  const right = base + (t + (t * z * (even + z * odd) + rest));
-  const angle = x < 0 ? PI - right + PI_REST : right;
+  const v = w * w;
+  const low =
+    -0.3333333333333333 + z * 0.1999999999999548 + w * (-0.14285714284657894 + z * 0.11111111014561013);
+  const middle =
+    -0.09090904549884611 + z * 0.07692182535116648 + w * (-0.06664502215671447 + z * 0.058580687568615106);
+  const high = -0.05085030492810941 + z * 0.03921955253255129 + w * -0.019162068915902577;
+  const angle = base + (t + (t * z * (low + v * (middle + v * high)) + rest));
   return y < 0 ? -angle : angle;
 }
 

@@ -10,6 +10,7 @@ import { EdgeFrame, type Kernel, type KernelParams } from '../kernel/kernel.ts';
 import type { Vec3 } from '../math/vec.ts';
 import { checkedParams, reach, whole } from './binding.ts';
 import { boxOf } from './boxOf.ts';
+import { CIRCLE, NEXT, outlineOf, STRIDE } from './outline.ts';
 import { type Region, regionOf } from './region.ts';
 import { FieldError, type FieldValue, type Skeleton, type SkelField } from './skeleton.ts';
 import type { PolygonSkel } from './skels.ts';
@@ -19,9 +20,6 @@ export const polygon: Skeleton<PolygonSkel> = { name: 'polygon', bind };
 /** kernel units; farther away nothing is left but what sums over edges do not cancel, and their squares overflow */
 const FARTHEST = 1e30;
 
-/** of an edge in the array: both ends, direction, length */
-const STRIDE = 7;
-
 function bind(skel: PolygonSkel, kernel: Kernel, params: KernelParams): SkelField {
   const checked = checkedParams(kernel, params);
   const { edge } = kernel;
@@ -30,7 +28,7 @@ function bind(skel: PolygonSkel, kernel: Kernel, params: KernelParams): SkelFiel
   const { u, v, n, middle } = region;
   const unit = kernel.unit(checked, region.radius);
   const per = 1 / unit;
-  const edges = edgesOf(region, per);
+  const edges = outlineOf(region, per, kernel.support);
   const factor = skel.weight * whole(unit, 2 + kernel.homogeneity);
   const covered = region.covered * per * per;
   const frame = new EdgeFrame();
@@ -58,7 +56,13 @@ function bind(skel: PolygonSkel, kernel: Kernel, params: KernelParams): SkelFiel
     frame.z = vx * n[0] + vy * n[1] + vz * n[2];
     if (Math.abs(frame.z) >= support) return;
     frame.slopes = slopes;
-    for (let i = 0; i < edges.length; i += STRIDE) {
+    const reach = Math.sqrt(support * support - frame.z * frame.z);
+    let next = STRIDE;
+    for (let i = 0; i < edges.length; i = next) {
+      const end = edges[i + NEXT]!;
+      const isEdge = end === i + STRIDE;
+      next = isEdge || isBeyond(edges, i, qx, qy, reach) ? end : i + STRIDE;
+      if (next !== end || edges[i + 6] === 0) continue;
       seen(frame, edges, i, qx, qy);
       edge(frame, integral);
       sum[0] = sum[0]! + integral[0]!;
@@ -111,16 +115,12 @@ function seen(frame: EdgeFrame, edges: Float64Array, i: number, qx: number, qy: 
   }
 }
 
-function edgesOf({ loops }: Region, per: number): Float64Array {
-  const edges = loops.flatMap((loop) =>
-    loop.map(([x1, y1], i) => {
-      const [x0, y0] = loop.at(i - 1)!;
-      const [dx, dy] = [x1 - x0, y1 - y0];
-      const length = Math.sqrt(dx * dx + dy * dy);
-      return [x0 * per, y0 * per, x1 * per, y1 * per, dx / length, dy / length, length * per];
-    }),
-  );
-  return Float64Array.from(edges.flat());
+/** Whether all that the chord at `i` stands for is farther from (qx, qy) than `reach`. */
+function isBeyond(edges: Float64Array, i: number, qx: number, qy: number, reach: number): boolean {
+  const x = edges[i + CIRCLE]! - qx;
+  const y = edges[i + CIRCLE + 1]! - qy;
+  const far = edges[i + CIRCLE + 2]! + reach;
+  return x * x + y * y >= far * far;
 }
 
 function cornersOf({ loops, middle, u, v }: Region): Vec3[] {
