@@ -19,7 +19,9 @@ type TermRecord = RecordValue<(typeof TERM)['members']>;
 export function addSum(writer: Writer, node: SkelsNode): number {
   const kernel = kernelNamed(node.kernel)!;
   const terms = node.skels.flatMap((term) =>
-    expanded(term.skel, kernel, node.params, node.threshold).map((skel) => addTerm(writer, node, kernel, term, skel)),
+    expanded(term.skel, kernel, node.params, node.threshold).map((skel) =>
+      addTerm(writer, node, kernel, term, skel),
+    ),
   );
   const { heap } = writer;
   const first = heap.next;

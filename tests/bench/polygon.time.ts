@@ -5,12 +5,10 @@
  */
 import { kernelNamed, kernels } from '../../src/kernel/index.ts';
 import type { Kernel } from '../../src/kernel/kernel.ts';
-import type { PolygonSkel } from '../../src/skeleton/skels.ts';
-import { POLYGONS } from './polygons.ts';
+import { around, PAPER, POLYGONS } from './polygons.ts';
 import {
   bound,
   type Grid,
-  gridOf,
   leastOf,
   mixCalls,
   paramsOf,
@@ -20,26 +18,6 @@ import {
   type Timed,
 } from './timing.ts';
 import { doubleIntegrals, edgesOfTriangles, TOLERANCE } from './triangulated.ts';
-
-const MARGIN = 1.2;
-/** table 2, seconds on a CPU of 2009 for 128³ points: DIT, CIT, CI */
-const PAPER = {
-  'quartic star': [5.902, 13.67, 2.772],
-  'quartic animal': [22.292, 50.769, 7.779],
-  'cauchy star': [96.932, 268.491, 84.015],
-  'cauchy animal': [327.216, 895.512, 286.96],
-} as const;
-
-const around = (skel: PolygonSkel): Grid => {
-  const { min, max } = bound(skel, kernels[0]!).box;
-  return gridOf(
-    {
-      min: [min[0] - MARGIN, min[1] - MARGIN, min[2] - MARGIN],
-      max: [max[0] + MARGIN, max[1] + MARGIN, max[2] + MARGIN],
-    },
-    [24, 24, 12],
-  );
-};
 
 mixCalls(Object.values(POLYGONS));
 

@@ -3,13 +3,9 @@
  * each kernel's is given relative to the Cauchy kernel's of the same run.
  */
 import { kernels } from '../../src/kernel/index.ts';
-import type { Skel } from '../../src/skeleton/skels.ts';
+import { CROSS } from './skels.ts';
 import { bound, cube, leastOf, mixCalls, rounded, sumValues } from './timing.ts';
 
-const CROSS: readonly Skel[] = [
-  { type: 'segment', a: [-4, 0, 0], b: [4, 0, 0], weights: [0.4, 0.3, -0.02, 0.001] },
-  { type: 'segment', a: [0, -4, 0], b: [0, 4, 0], weights: [0.4, 0.3, -0.02, 0.001] },
-];
 const GRID = cube(5, 150);
 
 mixCalls(CROSS);

@@ -1,0 +1,49 @@
+/**
+ * Zhu et al. 2011, table 2, on the GPU. CI: the polygon's edges; CIT: the edges of its triangles; DIT: a double integral over
+ * each triangle, whose inner one is a segment in closed form (exact for both kernels) and whose outer one takes Gauss points, the
+ * fewest that are right to float32.
+ */
+import { kernelNamed } from '../../src/kernel/index.ts';
+import { bodyOf, leastOnGpu, pointsOf, valueOnly } from './gpuTiming.ts';
+import { around, PAPER_GPU, POLYGONS } from './polygons.ts';
+import { slicesOf } from './slices.ts';
+import { rounded } from './timing.ts';
+import { trianglesOf } from './triangulated.ts';
+
+export async function timePolygons(device: GPUDevice): Promise<void> {
+  const rows = [];
+  for (const [title, [dit, cit, ci]] of Object.entries(PAPER_GPU)) {
+    const [kernelName, name] = title.split(' ') as [string, keyof typeof POLYGONS];
+    const kernel = kernelNamed(kernelName)!;
+    const skel = POLYGONS[name];
+    const grid = around(skel);
+    const triangles = trianglesOf(skel);
+    const slices = slicesOf(skel, kernel, grid);
+    const least = await leastOnGpu(device, pointsOf(grid), 5, {
+      ci: await valueOnly(device, bodyOf(kernel, [skel])),
+      cit: await valueOnly(
+        device,
+        bodyOf(
+          kernel,
+          triangles.map((loop) => ({ ...skel, loops: [loop] })),
+        ),
+      ),
+      dit: await valueOnly(device, bodyOf(kernel, slices.segments)),
+    });
+    const micro = 1000 / grid.count;
+    rows.push({
+      polygon: `${title}, ${skel.loops[0]!.length}`,
+      'CI, µs a point': rounded(least.ci * micro, 2),
+      CIT: rounded(least.cit * micro, 2),
+      DIT: rounded(least.dit * micro, 2),
+      'CIT / CI': rounded(least.cit / least.ci, 2),
+      'paper’s': rounded(cit / ci, 2),
+      'DIT / CI': rounded(least.dit / least.ci, 2),
+      'paper’s ': rounded(dit / ci, 2),
+      slices: slices.segments.length,
+      'error of DIT': slices.error.toExponential(0),
+    });
+  }
+  console.log('Zhu et al. 2011, table 2');
+  console.table(rows);
+}
