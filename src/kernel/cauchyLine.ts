@@ -4,10 +4,11 @@
  *
  * Theory: FIELD-NOTES §2, ∫ Q⁻² and ∫ Q⁻³, Q = M² + τ², from one arc tangent: θ, in which the line is seen across M.
  * Departures: the first end is the origin wherever the point is, and the perpendicular is taken once, since 1 is added to its
- * square: all that is lost is 1e-16 of the length (LONGEST). Beyond an end the notes' form cancels; there, with σ the sum of both
+ * square: all that is lost is 1e-16 of the length in kernel units (LONGEST). Beyond an end the notes' form cancels; there, with σ the sum of both
  * ends' angles, every term is positive (`outer`), and five Gauss points take what is far (FAR).
- * Tried: the same through a LineFrame took a quarter longer (a call, and numbers stored to be read again), the nearer end as
- * origin a tenth, ten Gauss points beyond an end three times as long there.
+ * Nanoseconds near, beyond an end and far: 34, 47, 46; through a LineFrame with general moments and ten Gauss points 77, 151,
+ * 194. Tried: this very form through a LineFrame, a third longer (a call, and numbers stored to be read again); the nearer end as
+ * origin, a tenth.
  */
 import { fastAtan2 } from '../math/atan.ts';
 import { GAUSS } from '../math/gaussLegendre.ts';
