@@ -43,12 +43,13 @@ const page: UserConfig = {
 
 /** What `npm run bench` times in Node, bundled first: a test runner's import accessors cost more than a segment does. */
 const bench: UserConfig = {
+  ssr: { noExternal: true, external: ['webgpu'] },
   build: {
     ssr: true,
     outDir: 'dist/bench',
     target: 'node20',
     rolldownOptions: {
-      input: ['segment', 'polygon', 'scene'].map((what) => `tests/bench/${what}.time.ts`),
+      input: ['segment', 'polygon', 'scene', 'gpu'].map((what) => `tests/bench/${what}.time.ts`),
     },
   },
 };

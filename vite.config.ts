@@ -4,7 +4,12 @@ export default defineConfig({
   // Relative addresses, so that the built application runs from any folder.
   base: './',
   server: { port: 5173 },
-  build: { outDir: 'dist/app', target: 'es2022', chunkSizeWarningLimit: 1200 },
+  build: {
+    outDir: 'dist/app',
+    target: 'es2022',
+    chunkSizeWarningLimit: 1200,
+    rolldownOptions: { input: ['index.html', 'field.html'] },
+  },
   // Known at the start: found late, they would reload the page under a stroke.
   optimizeDeps: {
     include: [

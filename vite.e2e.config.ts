@@ -10,6 +10,7 @@ export default defineConfig({
     rolldownOptions: {
       input: [
         'index.html',
+        'field.html',
         'e2e/element/index.html',
         'e2e/life/index.html',
         'e2e/pictures/samples.html',

@@ -1,4 +1,5 @@
-// npm run bench: the pure parts in Node, fields bundled, then the application in Chromium on whatever adapter it finds.
+// npm run bench: the pure parts in Node, fields bundled (in JavaScript, then on the GPU), then the application in Chromium on whatever adapter it finds.
+import { dawnEnvironment } from './chromium.mjs';
 import { installPackages, needChromium, run } from './prepare.mjs';
 
 installPackages();
@@ -9,5 +10,6 @@ process.exit(
     run('node', ['dist/bench/segment.time.js']) ||
     run('node', ['dist/bench/polygon.time.js']) ||
     run('node', ['dist/bench/scene.time.js']) ||
+    run('node', ['dist/bench/gpu.time.js'], dawnEnvironment(CHROMIUM)) ||
     run('npx', ['playwright', 'test', '--project', 'bench', '--reporter=line'], { CHROMIUM }),
 );

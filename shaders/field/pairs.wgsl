@@ -1,3 +1,5 @@
+#import record/program
+#import record/term
 #import skeleton
 
 // The field of the first skel at the first point, of the second at the second, …: (value, gradient).
@@ -11,5 +13,6 @@ fn each_at_its_point(@builtin(global_invocation_id) id: vec3u) {
   if (i >= arrayLength(&places)) {
     return;
   }
-  results[i] = skel_field(skels[i], places[i].xyz);
+  let term = load_term(load_program(0u).first + i * TERM_STRIDE);
+  results[i] = skel_field(term.primitive, term.kernel, term.skel, places[i].xyz);
 }

@@ -1,9 +1,7 @@
 #import lib/atan
-#import profiles
+#import field/profiles
 
-// Drawn section, m = 1/R(θ): m, ∂m/∂x, ∂m/∂y at q. Twin of src/field/polarProfile.ts. `profiles` is the caller's
-// and says where profiles are kept: fn profile_radii(profile: u32, k: u32) -> vec2f, the two inner radii of
-// segment k of 12.
+// Drawn section, m = 1/R(θ): m, ∂m/∂x, ∂m/∂y at q. Twin of src/field/polarProfile.ts.
 
 const PER_SEGMENT = 12.0 / (2.0 * PI);
 

@@ -2,12 +2,9 @@
 #import record/polygon
 #import record/edge
 
-@group(1) @binding(3) var<storage, read> polygons: array<Polygon>;
-@group(1) @binding(4) var<storage, read> edges: array<Edge>;
-
 // value and gradient: a sum over the edges of all loops (Zhu §3.2; FIELD-NOTES §3), in the polygon's plane
-fn polygon_field(i: u32, p: vec3f) -> vec4f {
-  let skel = polygons[i];
+fn polygon_field(kernel: u32, at: u32, p: vec3f) -> vec4f {
+  let skel = load_polygon(at);
   let q = (p - skel.origin) * skel.scale;
   let foot = vec2f(dot(q, skel.u), dot(q, skel.v));
   let z = dot(q, skel.n) - skel.lift;
@@ -17,15 +14,15 @@ fn polygon_field(i: u32, p: vec3f) -> vec4f {
     return vec4f(0.0);
   }
   var sum = vec4f(0.0);
-  for (var k = skel.first; k < skel.end; k++) {
-    sum += edge_field(edges[k], skel, foot, z);
+  for (var k = skel.first; k < skel.end; k += EDGE_STRIDE) {
+    sum += edge_field(kernel, load_edge(k), skel, foot, z);
   }
   let gradient = sum.y * skel.u + sum.z * skel.v + sum.w * skel.n;
   return skel.weight * vec4f(sum.x, gradient * skel.scale);
 }
 
 // value and gradient in the frame of the plane
-fn edge_field(edge: Edge, skel: Polygon, foot: vec2f, z: f32) -> vec4f {
+fn edge_field(kernel: u32, edge: Edge, skel: Polygon, foot: vec2f, z: f32) -> vec4f {
   let a = edge.start - foot;
   let b = edge.end - foot;
   let nearer_a = dot(a, a) <= dot(b, b);
@@ -39,6 +36,6 @@ fn edge_field(edge: Edge, skel: Polygon, foot: vec2f, z: f32) -> vec4f {
   f.z = z;
   f.floor2 = skel.floor2;
   f.exponent = skel.exponent;
-  let share = kernel_edge(skel.kernel, f);
+  let share = kernel_edge(kernel, f);
   return vec4f(share.x, share.y * edge.u.y, -share.y * edge.u.x, share.z);
 }

@@ -1,12 +1,10 @@
 #import kernel
 #import record/segment
 
-@group(1) @binding(2) var<storage, read> segments: array<Segment>;
-
 // value and gradient. The perpendicular is taken from the nearer end and made perpendicular twice: d² − h² would lose all
 // its digits beyond an end (FIELD-NOTES §2: 9e-2 against 1e-6).
-fn segment_field(i: u32, p: vec3f) -> vec4f {
-  let skel = segments[i];
+fn segment_field(kernel: u32, at: u32, p: vec3f) -> vec4f {
+  let skel = load_segment(at);
   let from_a = (p - skel.a) * skel.scale;
   let from_b = (p - skel.b) * skel.scale;
   let nearer_a = dot(from_a, from_a) <= dot(from_b, from_b);
@@ -24,6 +22,6 @@ fn segment_field(i: u32, p: vec3f) -> vec4f {
   f.degree = skel.degree;
   f.floor2 = skel.floor2;
   f.exponent = skel.exponent;
-  let line = kernel_line(skel.kernel, f);
+  let line = kernel_line(kernel, f);
   return vec4f(line.x, (2.0 * line.y * perp + line.z * skel.u) * skel.scale);
 }

@@ -1,5 +1,5 @@
 /** `rotund field --backend gpu`: WGSL in float32, on whatever adapter there is. */
-import { evaluatePairs } from '../gpu/evaluate.ts';
+import { evaluateAlone } from '../gpu/evaluate.ts';
 import { type Evaluator, fieldOf } from './evaluator.ts';
 import { Problem } from './problem.ts';
 import type { Scale, VectorCase } from './vectors.ts';
@@ -14,7 +14,7 @@ export function gpuEvaluator(open: OpenGpu): Evaluator {
       // What has no field is refused in the words of its file.
       cases.forEach(fieldOf);
       const points = Float32Array.from(cases.flatMap(({ p }) => p));
-      const evaluated = await open((gpu) => evaluatePairs(gpu, cases, points));
+      const evaluated = await open((gpu) => evaluateAlone(gpu, cases, points));
       if ('reason' in evaluated) throw new Problem(`--backend gpu: ${evaluated.reason}`, 1);
       return evaluated.values;
     },

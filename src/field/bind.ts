@@ -6,6 +6,7 @@ import { kernelNamed } from '../kernel/index.ts';
 import type { Kernel, KernelParams } from '../kernel/kernel.ts';
 import { bindShape } from '../shape/index.ts';
 import { bindSkel } from '../skeleton/index.ts';
+import { at } from '../skeleton/place.ts';
 import { FieldError } from '../skeleton/skeleton.ts';
 import { type Affine, composed, IDENTITY, inverted } from './affine.ts';
 import { blendUnion } from './blendUnion.ts';
@@ -15,7 +16,7 @@ import { hardUnion } from './hardUnion.ts';
 import { coloured, moved } from './leaf.ts';
 import { morph } from './morph.ts';
 import type { Colour, FieldNode, SetNode, ShapeNode, SkelsNode, Term } from './node.ts';
-import { type BoundTerm, skelSum } from './skelSum.ts';
+import { type BoundTerm, checkThreshold, skelSum } from './skelSum.ts';
 import { smoothUnion } from './smoothUnion.ts';
 import type { TreeField } from './treeField.ts';
 import { bindWarped } from './warp.ts';
@@ -46,11 +47,11 @@ function bindNode(node: FieldNode, matrix: Affine, path: string, depth: number):
       return bindSet(node, path, child);
     case 'blend': {
       const operation = here(() => blendUnion(node));
-      return combined(child(node.a, 'a'), child(node.b, 'b'), operation, 'union');
+      return combined([child(node.a, 'a'), child(node.b, 'b')], operation, 'union');
     }
     case 'morph': {
       const operation = here(() => morph(node.t));
-      return combined(child(node.from, 'from'), child(node.to, 'to'), operation, 'union');
+      return combined([child(node.from, 'from'), child(node.to, 'to')], operation, 'union');
     }
     case 'affine': {
       here(() => inverted(node.matrix));
@@ -73,9 +74,8 @@ function bindSet(
     if (parts.length === 0) throw new FieldError(`${type} has no parts`);
     return form === 'hard' ? hardUnion : smoothUnion;
   });
-  return parts
-    .map((part, i) => child(part, `parts[${i}]`))
-    .reduce((whole, part) => combined(whole, part, operation, type));
+  const fields = parts.map((part, i) => child(part, `parts[${i}]`));
+  return combined(fields, operation, type);
 }
 
 function bindShapeNode({ shape, colour }: ShapeNode): TreeField {
@@ -90,9 +90,10 @@ function bindSkels(node: SkelsNode): TreeField {
   const kernel = kernelNamed(node.kernel);
   if (!kernel) throw new FieldError(`unknown kernel '${node.kernel}'`);
   at('params', () => checkParams(kernel, node.params));
-  const plain = at('colour', () => checkedColour(node.colour ?? PLAIN));
+  checkThreshold(node.threshold);
+  const colour = at('colour', () => checkedColour(node.colour ?? PLAIN));
   const terms = node.skels.flatMap((term, i) =>
-    at(`skels[${i}]`, () => bindTerm(term, kernel, node.params, plain)),
+    at(`skels[${i}]`, () => bindTerm(term, kernel, { ...node, colour })),
   );
   return skelSum(terms, node.threshold);
 }
@@ -100,12 +101,11 @@ function bindSkels(node: SkelsNode): TreeField {
 function bindTerm(
   { skel, factor = 1, warp, colour }: Term,
   kernel: Kernel,
-  params: KernelParams,
-  plain: Colour,
+  { params, threshold, colour: plain }: Required<SkelsNode>,
 ): BoundTerm[] {
   if (!Number.isFinite(factor)) throw new FieldError(`factor must be a number, got ${factor}`);
   const painted = colour ? checkedColour(colour) : plain;
-  return expanded(skel, kernel, params).map((piece) => {
+  return expanded(skel, kernel, params, threshold).map((piece) => {
     const bind = (local: typeof piece) => bindSkel(local, kernel, params);
     return { field: warp ? bindWarped(piece, warp, bind) : bind(piece), factor, colour: painted };
   });
@@ -125,17 +125,6 @@ function checkParams(kernel: Kernel, params: KernelParams): void {
 function checkedColour(colour: Colour): Colour {
   if (colour.length === 3 && colour.every((x) => x >= 0 && x <= 1)) return colour;
   throw new FieldError(`a colour is three numbers 0–1, got ${colour}`);
-}
-
-/** Puts the place before what is refused inside. */
-function at<T>(place: string, make: () => T): T {
-  try {
-    return make();
-  } catch (error) {
-    if (!(error instanceof FieldError) || place === '') throw error;
-    const separator = /^[\w.[\]]+: /.test(error.message) ? '.' : ': ';
-    throw new FieldError(`${place}${separator}${error.message}`);
-  }
 }
 
 function join(path: string, name: string): string {

@@ -10,68 +10,86 @@ import type { TreeField } from './treeField.ts';
 /** How a union becomes the other operations: −(±a ∪ ±b). */
 export type Kind = 'union' | 'intersection' | 'subtraction';
 
-export function combined(a: TreeField, b: TreeField, operation: Operation, kind: Kind): TreeField {
-  return new Combined(a, b, operation, kind);
+/** The first with the second, what comes of that with the third, and so on: a list, for drawings may have ten thousand parts. */
+export function combined(parts: readonly TreeField[], operation: Operation, kind: Kind): TreeField {
+  const [first, ...rest] = parts;
+  return rest.length === 0 ? first! : new Combined(first!, rest, operation, kind);
 }
 
 class Combined implements TreeField {
-  readonly #a: TreeField;
-  readonly #b: TreeField;
+  readonly #first: TreeField;
+  readonly #rest: readonly TreeField[];
   readonly #operation: Operation;
   readonly #kind: Kind;
   readonly #outer: number;
-  readonly #signA: number;
-  readonly #signB: number;
+  /** of what comes second */
+  readonly #sign: number;
   readonly #partials = new Float64Array(3);
   readonly #scratch = new Float64Array(4);
   readonly box: Box | null;
 
-  constructor(a: TreeField, b: TreeField, operation: Operation, kind: Kind) {
-    this.#a = a;
-    this.#b = b;
+  constructor(first: TreeField, rest: readonly TreeField[], operation: Operation, kind: Kind) {
+    this.#first = first;
+    this.#rest = rest;
     this.#operation = operation;
     this.#kind = kind;
     this.#outer = kind === 'union' ? 1 : -1;
-    this.#signA = this.#outer;
-    this.#signB = kind === 'intersection' ? -1 : 1;
+    this.#sign = kind === 'intersection' ? -1 : 1;
     this.box = this.boxAbove(0);
   }
 
   value(x: number, y: number, z: number): number {
-    const a = this.#a.value(x, y, z);
-    const b = this.#b.value(x, y, z);
-    return this.#outer * this.#operation.value(this.#signA * a, this.#signB * b);
+    let value = this.#first.value(x, y, z);
+    for (const part of this.#rest) {
+      value = this.#outer * this.#operation.value(this.#outer * value, this.#sign * part.value(x, y, z));
+    }
+    return value;
   }
 
   evaluate(x: number, y: number, z: number, out: FieldValue): void {
     const other = this.#scratch;
-    this.#a.evaluate(x, y, z, out);
-    this.#b.evaluate(x, y, z, other);
     const partials = this.#partials;
-    this.#operation.evaluate(this.#signA * out[0]!, this.#signB * other[0]!, partials);
-    const toA = this.#outer * this.#signA * partials[1]!;
-    const toB = this.#outer * this.#signB * partials[2]!;
-    out[0] = this.#outer * partials[0]!;
-    for (let i = 1; i < 4; i++) out[i] = toA * out[i]! + toB * other[i]!;
+    const outer = this.#outer;
+    const sign = this.#sign;
+    this.#first.evaluate(x, y, z, out);
+    for (const part of this.#rest) {
+      part.evaluate(x, y, z, other);
+      this.#operation.evaluate(outer * out[0]!, sign * other[0]!, partials);
+      out[0] = outer * partials[0]!;
+      // what was turned inside out is turned back
+      const toFirst = partials[1]!;
+      const toOther = outer * sign * partials[2]!;
+      for (let i = 1; i < 4; i++) out[i] = toFirst * out[i]! + toOther * other[i]!;
+    }
   }
 
   colour(x: number, y: number, z: number, out: Float64Array): number {
     const other = this.#scratch;
-    const a = this.#a.colour(x, y, z, out);
-    const b = this.#b.colour(x, y, z, other);
     const partials = this.#partials;
-    this.#operation.evaluate(this.#signA * a, this.#signB * b, partials);
-    const toA = Math.max(partials[1]!, 0);
-    const toB = Math.max(partials[2]!, 0);
-    const share = toA + toB > 0 ? toB / (toA + toB) : 0.5;
-    for (let i = 0; i < 3; i++) out[i]! += share * (other[i]! - out[i]!);
-    return this.#outer * partials[0]!;
+    let value = this.#first.colour(x, y, z, out);
+    for (const part of this.#rest) {
+      const next = part.colour(x, y, z, other);
+      this.#operation.evaluate(this.#outer * value, this.#sign * next, partials);
+      value = this.#outer * partials[0]!;
+      const toFirst = Math.max(partials[1]!, 0);
+      const toOther = Math.max(partials[2]!, 0);
+      const share = toFirst + toOther > 0 ? toOther / (toFirst + toOther) : 0.5;
+      for (let i = 0; i < 3; i++) out[i]! += share * (other[i]! - out[i]!);
+    }
+    return value;
   }
 
   boxAbove(level: number): Box | null {
-    if (this.#kind === 'subtraction') return this.#a.boxAbove(level);
-    if (this.#kind === 'intersection') return meet(this.#a.boxAbove(level), this.#b.boxAbove(level));
-    const reach = -this.#operation.reach(level);
-    return unite(this.#a.boxAbove(reach), this.#b.boxAbove(reach));
+    if (this.#kind === 'subtraction') return this.#first.boxAbove(level);
+    if (this.#kind === 'intersection') {
+      return this.#rest.reduce((box, part) => meet(box, part.boxAbove(level)), this.#first.boxAbove(level));
+    }
+    let reached = level;
+    // the last operation reaches least far
+    const boxes = this.#rest.toReversed().map((part) => {
+      reached = -this.#operation.reach(reached);
+      return part.boxAbove(reached);
+    });
+    return boxes.reduce(unite, this.#first.boxAbove(reached));
   }
 }

@@ -2,7 +2,7 @@
  * Extrusion along y (Tai et al. (20), whose left side is the generic radius): r² = x² + |y|^α, a slab of half thickness
  * about 1 mm whatever the radius, times the warp's scale in y: a slider for that one is a thickness.
  *
- * |y|^α is kept below 1e12 (a radius of 1 km), or float32 would overflow not far outside for α = 100.
+ * Above 1e12 (a radius of 1 km) |y|^α goes on as a square: float32 would overflow not far outside for α = 100.
  */
 import { pow } from '../math/pow.ts';
 import { FieldError } from '../skeleton/skeleton.ts';
@@ -19,7 +19,10 @@ const MOST = 1e12;
 export function extrusion({ exponent }: Extrusion): Section {
   if (!(exponent >= 2 && exponent <= 100)) throw new FieldError(`exponent must be 2–100, got ${exponent}`);
   const highest = pow(MOST, 1 / exponent);
-  const power = (y: number) => pow(Math.min(Math.abs(y), highest), exponent);
+  const power = (y: number) => {
+    const beyond = y / highest;
+    return Math.abs(beyond) <= 1 ? pow(Math.abs(y), exponent) : MOST * beyond * beyond;
+  };
   return {
     value(x, y) {
       const rho2 = x * x + y * y;
@@ -31,11 +34,11 @@ export function extrusion({ exponent }: Extrusion): Section {
       const m2 = rho2 > 0 ? (x * x + high) / rho2 : 1;
       const m = Math.sqrt(m2);
       const half = m > 0 && rho2 > 0 ? 1 / (2 * m * rho2) : 0;
-      const steep = y === 0 || Math.abs(y) > highest ? 0 : (exponent * high) / y;
+      const steep = y === 0 ? 0 : ((Math.abs(y) <= highest ? exponent : 2) * high) / y;
       out[0] = m;
       out[1] = half * 2 * x * (1 - m2);
       out[2] = half * (steep - 2 * y * m2);
     },
-    extent: (r) => [r, pow(r, 2 / exponent)],
+    extent: (r) => [r, r * r < MOST ? pow(r, 2 / exponent) : highest * (r / Math.sqrt(MOST))],
   };
 }

@@ -1,5 +1,6 @@
 /**
- * Σ λ_i F_i − T. The colour is the mean of those of the skels, weighted by what they add to the field; what carves has none.
+ * Σ λ_i F_i − T. The colour is the mean of those of the skels, weighted by what they add to the field beyond a thousandth of T:
+ * less is not seen, and in float32 it may be a residue of either sign. What carves has no colour.
  */
 import { type Box, FieldError, type FieldValue, type SkelField } from '../skeleton/skeleton.ts';
 import { grown, unite } from './boxes.ts';
@@ -12,13 +13,20 @@ export interface BoundTerm {
   readonly colour: Colour;
 }
 
-/** FieldError when there is nothing to add, or the threshold is not above 0. */
-export function skelSum(terms: readonly BoundTerm[], threshold: number): TreeField {
+/** FieldError when it is not above 0. */
+export function checkThreshold(threshold: number): void {
   if (!(threshold > 0 && threshold < Infinity))
     throw new FieldError(`threshold must be above 0, got ${threshold}`);
+}
+
+/** FieldError when there is nothing to add. */
+export function skelSum(terms: readonly BoundTerm[], threshold: number): TreeField {
   if (terms.length === 0) throw new FieldError('a body needs at least one skel');
   return new SkelSum(terms, threshold);
 }
+
+/** of T */
+const UNSEEN = 1e-3;
 
 class SkelSum implements TreeField {
   readonly #terms: readonly BoundTerm[];
@@ -48,16 +56,18 @@ class SkelSum implements TreeField {
   colour(x: number, y: number, z: number, out: Float64Array): number {
     let sum = -this.#threshold;
     let weight = 0;
+    const unseen = UNSEEN * this.#threshold;
     out[0] = 0;
     out[1] = 0;
     out[2] = 0;
     for (const { field, factor, colour } of this.#terms) {
       const value = factor * field.value(x, y, z);
       sum += value;
-      if (value <= 0) continue;
-      weight += value;
+      const seen = value - unseen;
+      if (seen <= 0) continue;
+      weight += seen;
       // a running mean: sums of singular fields would overflow
-      const share = value / weight;
+      const share = seen / weight;
       for (let i = 0; i < 3; i++) out[i]! += share * (colour[i]! - out[i]!);
     }
     // beyond every support: no surface comes here

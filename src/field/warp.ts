@@ -32,6 +32,7 @@ export interface Warp {
  */
 export function bindWarped(skel: Skel, warp: Warp, bind: (local: Skel) => SkelField): SkelField {
   const [bx, by] = warp.scale;
+  if (warp.scale.length !== 2) throw new FieldError(`scale must be 2 numbers, got ${warp.scale.length}`);
   for (const [i, scale] of warp.scale.entries()) {
     if (!(scale > 0 && scale < Infinity)) throw new FieldError(`scale[${i}] must be above 0, got ${scale}`);
   }
@@ -54,14 +55,14 @@ function bindSection(section: Warp['section']): Section {
   }
 }
 
-interface Frame {
+export interface Frame {
   readonly origin: Vec3;
   readonly x: Vec3;
   readonly y: Vec3;
   readonly z: Vec3;
 }
 
-function framed(skel: Skel, { up, along }: Warp): { readonly frame: Frame; readonly local: Skel } {
+export function framed(skel: Skel, { up, along }: Warp): { readonly frame: Frame; readonly local: Skel } {
   switch (skel.type) {
     case 'segment': {
       const axis = sub3(skel.b, skel.a);
@@ -159,12 +160,19 @@ class Warped implements SkelField {
   /** Holds all points that are mapped to within `reach` of the plain skel's box. */
   #boxAt(reach: number): Box {
     const { min, max } = this.#skel.box;
-    const far = (i: 0 | 1) => Math.max(-min[i], max[i]);
-    const [hx, hy] = this.#section.extent(Math.sqrt(far(0) * far(0) + far(1) * far(1)) + reach);
-    const half = [this.#bx * hx, this.#by * hy] as const;
-    const local: Box = { min: [-half[0], -half[1], min[2] - reach], max: [half[0], half[1], max[2] + reach] };
+    const [hx, hy] = this.#halfSizes(reach);
+    const local: Box = { min: [-hx, -hy, min[2] - reach], max: [hx, hy, max[2] + reach] };
     const { origin: o, x, y, z } = this.#frame;
     const toWorld: Affine = [x[0], y[0], z[0], o[0], x[1], y[1], z[1], o[1], x[2], y[2], z[2], o[2]];
     return mappedBox(toWorld, local);
+  }
+
+  /** Of that box across the skel. What is flat stays flat: points are moved towards the axis or away from it only. */
+  #halfSizes(reach: number): readonly [x: number, y: number] {
+    const { min, max } = this.#skel.box;
+    const far = (i: 0 | 1) => Math.max(-min[i], max[i]);
+    const [wide, high] = [far(0), far(1)];
+    const [hx, hy] = this.#section.extent(Math.sqrt(wide * wide + high * high) + reach);
+    return [wide + reach === 0 ? 0 : this.#bx * hx, high + reach === 0 ? 0 : this.#by * hy];
   }
 }

@@ -1,6 +1,6 @@
 /** Each skel at its own point, on a device opened for it alone: what `rotund field --backend gpu` asks for. */
 import { openDevice } from './device.ts';
-import { gpuField } from './field.ts';
+import { evaluatePairs } from './pairs.ts';
 import type { KernelSkel } from './records.ts';
 
 export interface Evaluated {
@@ -11,7 +11,7 @@ export interface Evaluated {
 }
 
 /** The field of the first skel at the first point (x, y, z, x, …), mm, and so on; or why there is no device. */
-export async function evaluatePairs(
+export async function evaluateAlone(
   gpu: GPU,
   skels: readonly KernelSkel[],
   points: Float32Array,
@@ -20,9 +20,7 @@ export async function evaluatePairs(
   if ('reason' in opened) return opened;
   const { device, description, release } = opened;
   try {
-    const field = gpuField(device, skels);
-    const values = await field.evaluatePairs(points).finally(() => field.destroy());
-    return { values, adapter: description.adapter };
+    return { values: await evaluatePairs(device, skels, points), adapter: description.adapter };
   } finally {
     release();
   }

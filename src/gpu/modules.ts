@@ -1,34 +1,37 @@
 /**
- * The WGSL that is written here and not in shaders/: structs and tables declared in TypeScript, and the two modules that
- * know which kernels and skeletons take part. With one kernel `kernel` is a direct call, with several a switch, so
- * that a field may mix them.
+ * The WGSL that is written here and not in shaders/: structs and constants declared in TypeScript, and the modules that know
+ * what takes part in a field. Each of those is one choice among the ingredients, or a direct call where there is one.
  */
-import { kernels } from '../kernel/index.ts';
 import { GAUSS } from '../math/gaussLegendre.ts';
+import { shapes } from '../shape/index.ts';
+import { type Ingredients, type Named, namesOf, numberOf } from './ingredients.ts';
 import type { Modules } from './link.ts';
+import { ROLE, STACK, TAKE } from './program.ts';
 import { SHADERS } from './shaders.ts';
-import { EDGE, POINT, POLYGON, PRIMITIVES, type Primitive, SEGMENT } from './structs.ts';
+import { RECORDS } from './structs.ts';
 
-/** What a pipeline is made for. */
-export interface Ingredients {
-  /** names, as in the registry */
-  readonly kernels: readonly string[];
-  readonly primitives: readonly Primitive[];
-}
-
-/** All modules, generated and from files, for fields of these kernels and primitives. */
+/** All modules, generated and from files, for fields of these ingredients. */
 export function fieldModules(ingredients: Ingredients): Modules {
+  const records = Object.entries(RECORDS).map(([name, { wgsl, loader }]) => {
+    return [`record/${name}`, `#import field/records\n${wgsl}${loader}`] as const;
+  });
   return {
     ...SHADERS,
-    'record/point': POINT.wgsl,
-    'record/segment': SEGMENT.wgsl,
-    'record/polygon': POLYGON.wgsl,
-    'record/edge': EDGE.wgsl,
+    ...Object.fromEntries(records),
     'table/gauss': gaussTables(),
-    kernel: kernelModule(ingredients.kernels),
-    skeleton: skeletonModule(ingredients.primitives),
+    kernel: kernelModule(namesOf(ingredients, 'kernels')),
+    skeleton: skeletonModule(namesOf(ingredients, 'primitives')),
+    section: sectionModule(namesOf(ingredients, 'sections')),
+    // a field without cross sections does not pay for them
+    term: `#import field/${ingredients.sections.size > 0 ? 'warpedTerm' : 'plainTerm'}\n`,
+    shape: shapeModule(namesOf(ingredients, 'shapes')),
+    operation: operationModule(namesOf(ingredients, 'operations')),
+    program: [...constants('TAKE_', TAKE), ...constants('ROLE_', ROLE), ...constants('', { STACK })].join(''),
   };
 }
+
+const constants = (prefix: string, values: Readonly<Record<string, number>>): string[] =>
+  Object.entries(values).map(([name, value]) => `const ${prefix}${name} = ${value}u;\n`);
 
 /** (node, weight) for ∫ from 0 to 1. */
 function gaussTables(): string {
@@ -39,50 +42,83 @@ function gaussTables(): string {
   return tables.join('');
 }
 
-function kernelModule(names: readonly string[]): string {
-  const imports = ['frame', ...names].map((name) => `#import kernel/${name}\n`);
+function kernelModule(names: readonly Named<'kernels'>[]): string {
+  const dispatch = (head: string, type: string, call: string) => {
+    const cases = names.map((name) => [numberOf('kernels', name), `${snakeCase(name)}${call}`] as const);
+    return choice(`${head} -> ${type}`, 'kernel', cases, type);
+  };
   return [
-    ...imports,
-    dispatch('kernel_value', 'r2: f32, exponent: f32', 'vec2f', names, '_value(r2, exponent)'),
-    dispatch('kernel_line', 'f: LineFrame', 'vec3f', names, '_line(f)'),
-    dispatch('kernel_edge', 'f: EdgeFrame', 'vec3f', names, '_edge(f)'),
+    imports('kernel', ['frame', ...names]),
+    dispatch('fn kernel_value(kernel: u32, r2: f32, exponent: f32)', 'vec2f', '_value(r2, exponent)'),
+    dispatch('fn kernel_line(kernel: u32, f: LineFrame)', 'vec3f', '_line(f)'),
+    dispatch('fn kernel_edge(kernel: u32, f: EdgeFrame)', 'vec3f', '_edge(f)'),
   ].join('');
 }
 
-function dispatch(
-  name: string,
-  params: string,
-  type: string,
-  names: readonly string[],
-  call: string,
-): string {
-  const cases = names.map((kernel) => [`case ${numberOf(kernel)}u`, `${snakeCase(kernel)}${call}`] as const);
-  return `fn ${name}(kernel: u32, ${params}) -> ${type} {\n${choice('kernel', cases, type)}}\n`;
+function skeletonModule(names: readonly Named<'primitives'>[]): string {
+  const cases = names.map((name) => [numberOf('primitives', name), `${name}_field(kernel, at, p)`] as const);
+  const head = 'fn skel_field(primitive: u32, kernel: u32, at: u32, p: vec3f) -> vec4f';
+  return imports('skeleton', names) + choice(head, 'primitive', cases, 'vec4f');
 }
 
-const numberOf = (name: string): number => kernels.findIndex((kernel) => kernel.name === name);
+/** File and call of each section. */
+const SECTIONS: Readonly<Record<Named<'sections'>, readonly [file: string | null, call: string]>> = {
+  round: [null, 'vec3f(1.0, 0.0, 0.0)'],
+  superQuadric: ['superQuadric', 'super_quadric(q, warp.exponent)'],
+  extrusion: ['extrusion', 'extrusion(q, warp.exponent)'],
+  polar: ['polarProfile', 'polar_profile(q, warp.profile)'],
+};
+
+function sectionModule(names: readonly Named<'sections'>[]): string {
+  const files = names.flatMap((name) => SECTIONS[name][0] ?? []);
+  const cases = names.map((name) => [numberOf('sections', name), SECTIONS[name][1]] as const);
+  const head = 'fn section_stretch(section: u32, q: vec2f, warp: Warp) -> vec3f';
+  return `#import record/warp\n${imports('field', files)}${choice(head, 'section', cases, 'vec3f')}`;
+}
+
+/** The numbers of a shape's record, in their order. */
+const LANES = ['a', 'b', 'c'].flatMap((four) => [...'xyzw'].map((lane) => `shape.${four}.${lane}`));
+
+function shapeModule(names: readonly Named<'shapes'>[]): string {
+  const cases = names.map((name) => {
+    const lanes = [...LANES];
+    const list = shapes[name].takes.map((type) =>
+      type === 'f32' ? lanes.shift() : `vec3f(${lanes.splice(0, 3).join(', ')})`,
+    );
+    return [numberOf('shapes', name), `${snakeCase(name)}_field(${['p', ...list].join(', ')})`] as const;
+  });
+  const head = 'fn shape_field(shape: Shape, p: vec3f) -> vec4f';
+  return `#import record/shape\n${imports('shape', names)}${choice(head, 'shape.kind', cases, 'vec4f')}`;
+}
+
+const OPERATIONS: Readonly<Record<Named<'operations'>, string>> = {
+  hardUnion: 'hard_union(a, b)',
+  smoothUnion: 'smooth_union(a, b)',
+  blendUnion: 'blend_union(a, b, amounts.x, amounts.y, amounts.z)',
+  morph: 'morph(a, b, amounts.x)',
+};
+
+function operationModule(names: readonly Named<'operations'>[]): string {
+  const cases = names.map((name) => [numberOf('operations', name), OPERATIONS[name]] as const);
+  const head = 'fn operation(number: u32, a: f32, b: f32, amounts: vec3f) -> vec3f';
+  return imports('field', names) + choice(head, 'number', cases, 'vec3f');
+}
+
+const imports = (folder: string, names: readonly string[]): string =>
+  names.map((name) => `#import ${folder}/${name}\n`).join('');
 
 /** `inverseSquared` is inverse_squared in WGSL. */
 const snakeCase = (name: string): string => name.replace(/[A-Z]/g, (letter) => `_${letter.toLowerCase()}`);
 
-function skeletonModule(primitives: readonly Primitive[]): string {
-  const cases = primitives.map(
-    (name) => [`case ${PRIMITIVES.indexOf(name)}u`, `${name}_field(skel >> 2u, p)`] as const,
-  );
-  return [
-    ...primitives.map((name) => `#import skeleton/${name}\n`),
-    '// which primitive in the lowest two bits, which of its records above\n',
-    '@group(1) @binding(0) var<storage, read> skels: array<u32>;\n',
-    `fn skel_field(skel: u32, p: vec3f) -> vec4f {\n${choice('skel & 3u', cases, 'vec4f')}}\n`,
-  ].join('');
-}
-
+/** A function that makes the call whose number `of` is. */
 function choice(
+  head: string,
   of: string,
-  cases: readonly (readonly [label: string, call: string])[],
+  cases: readonly (readonly [number: number, call: string])[],
   type: string,
 ): string {
-  if (cases.length === 1) return `  return ${cases[0]![1]};\n`;
-  const branches = cases.map(([label, call]) => `    ${label}: { return ${call}; }\n`);
-  return `  switch ${of} {\n${branches.join('')}    default: { return ${type}(0.0); }\n  }\n`;
+  if (cases.length === 0) return `${head} {\n  return ${type}(0.0);\n}\n`;
+  if (cases.length === 1) return `${head} {\n  return ${cases[0]![1]};\n}\n`;
+  const branches = cases.map(([number, call]) => `    case ${number}u: { return ${call}; }\n`);
+  return `${head} {\n  switch ${of} {\n${branches.join('')}    default: { return ${type}(0.0); }\n  }\n}\n`;
 }

@@ -3,30 +3,20 @@
  * rounded last. Positions stay in mm (the shader subtracts before it scales, so that neither 1e±6 mm nor an offset of
  * 1e3 radii costs digits); weights become those of kernel units, so that the integral is the field.
  */
-import { kernels } from '../kernel/index.ts';
 import type { Kernel, KernelParams } from '../kernel/kernel.ts';
 import type { RecordLayout, RecordValue } from '../math/record.ts';
 import { type Vec2, type Vec3, vec3 } from '../math/vec.ts';
 import { checkedParams, whole } from '../skeleton/binding.ts';
 import { regionOf } from '../skeleton/region.ts';
 import type { PointSkel, PolygonSkel, SegmentSkel, Skel } from '../skeleton/skels.ts';
-import { type EDGE, type POINT, type POLYGON, PRIMITIVES, type SEGMENT } from './structs.ts';
+import type { Heap } from './heap.ts';
+import { EDGE, POINT, POLYGON, SEGMENT } from './structs.ts';
 
 /** A skel with the kernel that it is convolved with. */
 export interface KernelSkel {
   readonly skel: Skel;
   readonly kernel: Kernel;
   readonly params: KernelParams;
-}
-
-/** What the buffers of a field hold. */
-export interface Records {
-  readonly points: Row<typeof POINT>[];
-  readonly segments: Row<typeof SEGMENT>[];
-  readonly polygons: Row<typeof POLYGON>[];
-  readonly edges: Row<typeof EDGE>[];
-  /** in the order of the skels: which primitive in the lowest two bits, which of its records above */
-  readonly skels: number[];
 }
 
 type Row<L> = L extends RecordLayout<infer M> ? RecordValue<M> : never;
@@ -36,24 +26,22 @@ const POINT_FLOOR2 = 2 ** -33;
 /** Its square is a float32 too. */
 const FAR = 1e19;
 
-/** Records of all skels, in their order. Throws FieldError for what `bindSkel` refuses. */
-export function recordsOf(skels: readonly KernelSkel[]): Records {
-  const records: Records = { points: [], segments: [], polygons: [], edges: [], skels: [] };
-  for (const { skel, kernel, params } of skels) {
-    const checked = checkedParams(kernel, params);
-    records.skels.push(records[`${skel.type}s`].length * 4 + PRIMITIVES.indexOf(skel.type));
-    if (skel.type === 'point') records.points.push(pointRecord(skel, kernel, checked));
-    else if (skel.type === 'segment') records.segments.push(segmentRecord(skel, kernel, checked));
-    else addPolygon(skel, kernel, checked, records);
+/** Adds the skel's record, and those of its edges; returns where. Throws FieldError for what `bindSkel` refuses. */
+export function addSkel(heap: Heap, { skel, kernel, params }: KernelSkel): number {
+  const checked = checkedParams(kernel, params);
+  switch (skel.type) {
+    case 'point':
+      return heap.add(POINT, pointRecord(skel, kernel, checked));
+    case 'segment':
+      return heap.add(SEGMENT, segmentRecord(skel, kernel, checked));
+    case 'polygon':
+      return addPolygon(heap, skel, kernel, checked);
   }
-  return records;
 }
 
-/** What each record says of its kernel, whose number is its place in the registry. */
-function kernelMembers(kernel: Kernel, params: KernelParams, unit: number, floor2: number) {
-  const number = kernels.findIndex(({ name }) => name === kernel.name);
-  return { kernel: number, exponent: params.n ?? 4, floor2, scale: 1 / unit };
-}
+const kernelMembers = (params: KernelParams, unit: number, floor2: number) => {
+  return { exponent: params.n ?? 4, floor2, scale: 1 / unit };
+};
 
 function pointRecord(skel: PointSkel, kernel: Kernel, params: KernelParams): Row<typeof POINT> {
   const { homogeneity } = kernel;
@@ -61,7 +49,7 @@ function pointRecord(skel: PointSkel, kernel: Kernel, params: KernelParams): Row
   const size = homogeneity === 0 || skel.weight === 0 ? 1 : Math.abs(skel.weight) ** (-1 / homogeneity);
   const unit = kernel.unit(params, size);
   const floor2 = homogeneity === 0 ? 0 : POINT_FLOOR2;
-  const members = kernelMembers(kernel, params, unit, floor2);
+  const members = kernelMembers(params, unit, floor2);
   return { at: skel.at, weight: skel.weight * whole(unit, homogeneity), ...members };
 }
 
@@ -80,11 +68,11 @@ function segmentRecord(skel: SegmentSkel, kernel: Kernel, params: KernelParams):
     degree: skel.weights.length - 1,
     u: mm > 0 ? [0, 1, 2].map((axis) => (b[axis]! - a[axis]!) / mm) : [1, 0, 0],
     weights: [0, 1, 2, 3].map((k) => (skel.weights[k] ?? 0) * factor * whole(unit, k)),
-    ...kernelMembers(kernel, params, unit, kernel.floor2.line),
+    ...kernelMembers(params, unit, kernel.floor2.line),
   };
 }
 
-function addPolygon(skel: PolygonSkel, kernel: Kernel, params: KernelParams, records: Records): void {
+function addPolygon(heap: Heap, skel: PolygonSkel, kernel: Kernel, params: KernelParams): number {
   const { u, v, n, middle, radius, loops } = regionOf(skel);
   const unit = kernel.unit(params, radius);
   // What rounding moves the middle by goes into the coordinates: they are small and keep it.
@@ -92,12 +80,14 @@ function addPolygon(skel: PolygonSkel, kernel: Kernel, params: KernelParams, rec
   const rest: [number, number, number] = [0, 0, 0];
   vec3.subtract(rest, middle, origin);
   const [dx, dy] = [vec3.dot(rest, u), vec3.dot(rest, v)];
-  const first = records.edges.length;
+  const first = heap.next;
   for (const loop of loops) {
     const moved = loop.map(([x, y]): Vec2 => [Math.fround((x + dx) / unit), Math.fround((y + dy) / unit)]);
-    records.edges.push(...moved.map((end, i) => edgeRecord(moved.at(i - 1)!, end)));
+    moved.forEach((end, i) => {
+      heap.add(EDGE, edgeRecord(moved.at(i - 1)!, end));
+    });
   }
-  records.polygons.push({
+  return heap.add(POLYGON, {
     origin,
     lift: vec3.dot(rest, n) / unit,
     u,
@@ -108,8 +98,8 @@ function addPolygon(skel: PolygonSkel, kernel: Kernel, params: KernelParams, rec
     radius: (1.001 * radius) / unit,
     support: Math.min(kernel.support, FAR),
     first,
-    end: records.edges.length,
-    ...kernelMembers(kernel, params, unit, kernel.floor2.plate),
+    end: heap.next,
+    ...kernelMembers(params, unit, kernel.floor2.plate),
   });
 }
 

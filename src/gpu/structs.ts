@@ -1,8 +1,11 @@
-/** The structs of skels, declared once: packed in records.ts, generated into WGSL as record/point, record/segment, …. */
+/**
+ * The records of a field on the GPU, declared once: packed by heap.ts, generated into WGSL as record/segment and so on, each
+ * with its loader. All lie in one buffer; what refers to another record holds the number of the 16 bytes it begins at.
+ */
 import { record } from '../math/record.ts';
 
-/** Which kernel, and what it wants to know besides the frame; `scale`: kernel units in a mm. */
-const KERNEL_MEMBERS = { kernel: 'u32', exponent: 'f32', floor2: 'f32', scale: 'f32' } as const;
+/** What the kernel wants to know besides the frame; `scale`: kernel units in a mm. */
+const KERNEL_MEMBERS = { exponent: 'f32', floor2: 'f32', scale: 'f32' } as const;
 
 export const POINT = record('Point', { at: 'vec3f', weight: 'f32', ...KERNEL_MEMBERS });
 
@@ -29,7 +32,7 @@ export const POLYGON = record('Polygon', {
   radius: 'f32',
   n: 'vec3f',
   support: 'f32',
-  /** of its edges, and one beyond the last */
+  /** of its edges, and beyond the last */
   first: 'u32',
   end: 'u32',
   ...KERNEL_MEMBERS,
@@ -37,6 +40,92 @@ export const POLYGON = record('Polygon', {
 
 export const EDGE = record('Edge', { start: 'vec2f', end: 'vec2f', u: 'vec2f', length: 'f32' });
 
-/** As `type` of a skel says; the place in the list is the number in WGSL. */
-export const PRIMITIVES = ['point', 'segment', 'polygon'] as const;
-export type Primitive = (typeof PRIMITIVES)[number];
+/** A skel in a sum. */
+export const TERM = record('Term', {
+  colour: 'vec3f',
+  factor: 'f32',
+  skel: 'u32',
+  /** 0 for plain skels */
+  warp: 'u32',
+  /** numbers of ingredients */
+  kernel: 'u32',
+  primitive: 'u32',
+});
+
+/** A cross section of a skel's own; `axes` are the columns x, y, z of its frame. */
+export const WARP = record('Warp', {
+  origin: 'vec3f',
+  exponent: 'f32',
+  axes: 'mat3x3f',
+  scale: 'vec2f',
+  section: 'u32',
+  /** a Profile, for drawn sections */
+  profile: 'u32',
+});
+
+/** The 24 inner radii of a drawn section, four of them each. */
+export const PROFILE = record('Profile', {
+  a: 'vec4f',
+  b: 'vec4f',
+  c: 'vec4f',
+  d: 'vec4f',
+  e: 'vec4f',
+  f: 'vec4f',
+});
+
+/** Σ λ F − T. The colour is for where no skel reaches. */
+export const SUM = record('Sum', { colour: 'vec3f', threshold: 'f32', first: 'u32', end: 'u32' });
+
+/** The numbers in the order in which the shape's function takes them. */
+export const SHAPE = record('Shape', {
+  colour: 'vec3f',
+  kind: 'u32',
+  a: 'vec4f',
+  b: 'vec4f',
+  c: 'vec4f',
+});
+
+/** Where a leaf is: local = inverse · (p − origin) + low, `low` being what rounding the origin lost; value by `scale`. */
+export const PLACE = record('Place', {
+  inverse: 'mat3x3f',
+  origin: 'vec3f',
+  scale: 'f32',
+  low: 'vec3f',
+});
+
+/** One step of a program: take a leaf or what was put aside, and do something with it (program.ts). */
+export const STEP = record('Step', {
+  take: 'u32',
+  /** the Sum or Shape */
+  at: 'u32',
+  /** 0 where it was not moved */
+  place: 'u32',
+  role: 'u32',
+  /** a0, a1, a2 of a blend; t of a morph */
+  amounts: 'vec3f',
+  operation: 'u32',
+  /** −1 for what is a union of the operands turned inside out */
+  outer: 'f32',
+  /** of the second operand */
+  sign: 'f32',
+  /** 1 where the second operand was evaluated first */
+  swapped: 'u32',
+});
+
+/** The first record of a field: its steps, and beyond the last; for pairs its terms. */
+export const PROGRAM = record('Program', { first: 'u32', end: 'u32' });
+
+export const RECORDS = {
+  point: POINT,
+  segment: SEGMENT,
+  polygon: POLYGON,
+  edge: EDGE,
+  term: TERM,
+  warp: WARP,
+  profile: PROFILE,
+  sum: SUM,
+  shape: SHAPE,
+  place: PLACE,
+  step: STEP,
+  program: PROGRAM,
+} as const;

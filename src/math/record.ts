@@ -32,14 +32,22 @@ export type RecordValue<M extends Members> = {
 
 export interface RecordLayout<M extends Members> {
   readonly name: string;
+  readonly members: M;
   /** bytes from one record to the next in an array */
   readonly size: number;
   /** bytes */
   readonly align: number;
   /** bytes from the record's start */
   readonly offsets: Readonly<Record<keyof M, number>>;
+  /** bytes in a heap, where each record begins at a multiple of 16 */
+  readonly stride: number;
   /** The struct, ready to be a module. */
   readonly wgsl: string;
+  /**
+   * `fn load_segment(at: u32) -> Segment`: from `records`, an array<vec4u> whose element `at` the record begins with, so that
+   * records of many kinds share one binding (WebGPU promises eight a stage); and how many elements lie between two.
+   */
+  readonly loader: string;
   /** All records in a row; none gives room for one, because WebGPU binds no empty buffer. */
   pack(values: readonly RecordValue<M>[]): ArrayBuffer;
   write(into: DataView, index: number, value: RecordValue<M>): void;
@@ -48,6 +56,7 @@ export interface RecordLayout<M extends Members> {
 
 interface Member {
   readonly name: string;
+  readonly type: MemberType;
   readonly scalar: Scalars;
   /** bytes from the record's start, one a component */
   readonly places: readonly number[];
@@ -67,10 +76,13 @@ export function record<const M extends Members>(name: string, members: M): Recor
   };
   return {
     name,
+    members,
     size,
     align,
     offsets: offsets as Record<keyof M, number>,
+    stride: roundUp(16, size),
     wgsl: structText(name, members),
+    loader: loaderText(name, laid, roundUp(16, size)),
     write,
     pack(values) {
       const bytes = new ArrayBuffer(size * Math.max(1, values.length));
@@ -99,7 +111,7 @@ function layOut(members: Members): Member[] {
       { length: rows * columns },
       (_, i) => start + Math.floor(i / rows) * align + 4 * (i % rows),
     );
-    return { name, scalar, places, end, align };
+    return { name, type, scalar, places, end, align };
   });
 }
 
@@ -108,6 +120,30 @@ const roundUp = (step: number, value: number): number => Math.ceil(value / step)
 function structText(name: string, members: Members): string {
   const lines = Object.entries(members).map(([member, type]) => `  ${member}: ${type},\n`);
   return `struct ${name} {\n${lines.join('')}}\n`;
+}
+
+/** 16 bytes at a time: every access to a buffer is checked against its end, on software adapters at a price. */
+function loaderText(name: string, laid: readonly Member[], stride: number): string {
+  const snake = name.replace(/(?<!^)[A-Z]/g, (letter) => `_${letter}`);
+  const words = Array.from({ length: stride / 16 }, (_, i) => `  let w${i} = records[at + ${i}u];\n`);
+  const members = laid.map((member) => `    ${memberText(member)},\n`);
+  return [
+    `const ${snake.toUpperCase()}_STRIDE = ${stride / 16}u;\n`,
+    `fn load_${snake.toLowerCase()}(at: u32) -> ${name} {\n`,
+    ...words,
+    `  return ${name}(\n${members.join('')}  );\n}\n`,
+  ].join('');
+}
+
+/** No member straddles 16 bytes: a vec2 is aligned to 8, all else to its size or to 16. */
+function memberText({ type, scalar, places }: Member): string {
+  const { rows, columns } = TYPES[type];
+  const parts = Array.from({ length: columns }, (_, column) => {
+    const first = places[column * rows]! / 4;
+    const lanes = `w${Math.floor(first / 4)}.${'xyzw'.slice(first % 4, (first % 4) + rows)}`;
+    return scalar === 'u32' ? lanes : `bitcast<${rows === 1 ? scalar : `vec${rows}<${scalar}>`}>(${lanes})`;
+  });
+  return columns === 1 ? parts[0]! : `${type}(${parts.join(', ')})`;
 }
 
 function writeMember(into: DataView, base: number, member: Member, value: number | readonly number[]): void {

@@ -14,6 +14,8 @@ export interface Mesh {
   readonly uvs: Float32Array;
   /** three per triangle */
   readonly indices: Uint32Array;
+  /** red green blue per vertex, 0–1, linear; the part's own colour where there are none */
+  readonly colours?: Float32Array;
 }
 
 /** Corners of the axis-aligned box, mm. */

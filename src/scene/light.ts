@@ -7,6 +7,7 @@
  * bright rims in perspective; ours flip by the side of the face.
  */
 import {
+  attribute,
   cameraProjectionMatrix,
   cameraViewMatrix,
   Fn,
@@ -39,6 +40,9 @@ export const SHININESS = 40;
 /** The part's own colour, display values 0–1, set on the object that is drawn. */
 export const partColour = userData('colour', 'vec3') as unknown as Node<'vec3'>;
 
+/** A painted mesh's colours, display values 0–1, of the vertex stage. */
+export const vertexColour = attribute<'vec3'>('colour', 'vec3');
+
 /** The vertex normal in view space, outward, of the vertex stage. Parts are never scaled, so no inverse is due. */
 export const vertexNormal = cameraViewMatrix.mul(vec4(normalGeometry, 0)).xyz;
 
@@ -51,6 +55,9 @@ export function interpolated(value: Node<'vec3'>, name: string): Node<'vec3'> {
     .toVarying(name)
     .setInterpolation(InterpolationSamplingType.PERSPECTIVE, InterpolationSamplingMode.CENTROID);
 }
+
+/** The same from vertex to pixel, in place of `partColour`. */
+export const paintedColour = interpolated(vertexColour, 'rotund_colour');
 
 const interpolatedNormal = interpolated(vertexNormal, 'rotund_normal');
 

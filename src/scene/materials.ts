@@ -43,15 +43,17 @@ export class Materials implements PartMaterials {
     this.preview = this.#once('preview', () => previewMaterial(targets.edges.texture, lines, page));
   }
 
-  /** What parts are filled with. */
-  fill(style: Style): NodeMaterial {
+  /** What parts are filled with; `painted`: each vertex has a colour of its own. Ink and lines have none. */
+  fill(style: Style, painted: boolean): NodeMaterial {
+    const once = (make: (painted: boolean) => NodeMaterial) =>
+      this.#once(painted ? `${style} painted` : style, () => make(painted));
     switch (style) {
       case 'toon':
-        return this.#once(style, toonMaterial);
+        return once(toonMaterial);
       case 'gouraud':
-        return this.#once(style, gouraudMaterial);
+        return once(gouraudMaterial);
       case 'phong':
-        return this.#once(style, phongMaterial);
+        return once(phongMaterial);
       case 'hbed-ink':
         return this.#once(style, () => inkMaterial(this.#uniforms.ink));
       case 'hbed-lines':

@@ -17,14 +17,14 @@ import {
   Vector3,
 } from 'three/webgpu';
 import type { Mesh } from '../mesh/mesh.ts';
-import { displayRgb } from './look.ts';
+import { displayColours, displayRgb } from './look.ts';
 import { MASK_ORDER } from './selection.ts';
 import type { Ball } from './view.ts';
 
 export interface SceneItem {
   readonly id: string;
   readonly mesh: Mesh;
-  /** #rrggbb, display sRGB */
+  /** #rrggbb, display sRGB; of previews, and where the mesh has no colours of its own */
   readonly colour: string;
   /** drawn lightly and without lines: not yet kept */
   readonly preview: boolean;
@@ -57,6 +57,12 @@ export interface PartMaterials {
   readonly seen: Material;
 }
 
+/** The style's material, for parts of one colour or painted ones; made when first asked for. */
+export type Fill = (painted: boolean) => Material;
+
+/** Meshes are only taken over by parts that are drawn with the same materials. */
+type Kind = 'kept' | 'painted' | 'preview';
+
 /** One three scene a pass, so that a pass is a list of what it draws and nothing is switched on and off. */
 export class Parts {
   readonly lines = named('lines');
@@ -68,12 +74,12 @@ export class Parts {
   readonly #parts = new Map<string, Part>();
   readonly #materials: PartMaterials;
   /** meshes without a part, of kept ones and of previews */
-  readonly #spare = new Map<'kept' | 'preview', Meshes>();
-  #fill: Material;
+  readonly #spare = new Map<Kind, Meshes>();
+  #fill: Fill;
   #wireframe = false;
   #selected: ReadonlySet<string> = new Set();
 
-  constructor(materials: PartMaterials, fill: Material) {
+  constructor(materials: PartMaterials, fill: Fill) {
     this.#materials = materials;
     this.#fill = fill;
   }
@@ -114,9 +120,9 @@ export class Parts {
     return changed;
   }
 
-  setFill(material: Material): void {
-    this.#fill = material;
-    for (const { fill } of this.#parts.values()) if (fill) fill.material = material;
+  setFill(fill: Fill): void {
+    this.#fill = fill;
+    for (const part of this.#parts.values()) if (part.fill) part.fill.material = fill(isPainted(part.item));
   }
 
   setWireframe(on: boolean): void {
@@ -143,13 +149,13 @@ export class Parts {
     }
     if (old) this.#remove(old);
     const geometry = toGeometry(item);
-    const part = { item, geometry, ...this.#meshes(item.preview ? 'preview' : 'kept') };
+    const part = { item, geometry, ...this.#meshes(kindOf(item)) };
     for (const [mesh, scene] of part.meshes) {
       mesh.geometry = geometry;
       mesh.name = item.id;
       scene.add(mesh);
     }
-    if (part.fill) part.fill.material = this.#fill;
+    if (part.fill) part.fill.material = this.#fill(isPainted(item));
     if (part.wire) part.wire.visible = this.#wireframe;
     this.#parts.set(item.id, part);
     this.#recolour(part, item);
@@ -166,14 +172,14 @@ export class Parts {
     mask.renderOrder = selected ? MASK_ORDER.seen : MASK_ORDER.others;
   }
 
-  #meshes(kind: 'kept' | 'preview'): Meshes {
+  #meshes(kind: Kind): Meshes {
     const spare = this.#spare.get(kind);
     this.#spare.delete(kind);
-    return spare ?? (kind === 'preview' ? this.#lightly() : this.#fully());
+    return spare ?? (kind === 'preview' ? this.#lightly() : this.#fully(kind === 'painted'));
   }
 
-  #fully(): Meshes {
-    const fill = drawn(this.#fill);
+  #fully(painted: boolean): Meshes {
+    const fill = drawn(this.#fill(painted));
     // before the grid, which is blended over what is there
     const wire = drawn(this.#materials.wire, 1);
     const silhouette = drawn(this.#materials.silhouette, MASK_ORDER.silhouette);
@@ -208,7 +214,7 @@ export class Parts {
     for (const mesh of meshes.meshes.keys()) mesh.removeFromParent();
     geometry.dispose();
     this.#parts.delete(item.id);
-    const kind = item.preview ? 'preview' : 'kept';
+    const kind = kindOf(item);
     if (this.#spare.has(kind)) end(meshes.meshes);
     else this.#spare.set(kind, meshes);
   }
@@ -222,6 +228,10 @@ export class Parts {
     if (this.sphere.isEmpty()) this.sphere.set(new Vector3(), 0);
   }
 }
+
+const isPainted = ({ mesh }: SceneItem): boolean => mesh.colours !== undefined;
+
+const kindOf = (item: SceneItem): Kind => (item.preview ? 'preview' : isPainted(item) ? 'painted' : 'kept');
 
 function named(name: string): ThreeScene {
   const scene = new ThreeScene();
@@ -246,9 +256,11 @@ function end(meshes: Meshes['meshes']): void {
 function toGeometry(item: SceneItem): BufferGeometry {
   const geometry = new BufferGeometry();
   geometry.name = item.id;
-  const { positions, normals, indices } = item.mesh;
+  const { positions, normals, indices, colours } = item.mesh;
   geometry.setAttribute('position', new BufferAttribute(positions, 3));
   geometry.setAttribute('normal', new BufferAttribute(normals, 3));
+  if (colours && !item.preview)
+    geometry.setAttribute('colour', new BufferAttribute(displayColours(colours), 3));
   geometry.setIndex(new BufferAttribute(indices, 1));
   geometry.computeBoundingSphere();
   return geometry;

@@ -31,7 +31,7 @@ import {
 import { Materials } from './materials.ts';
 import { PageUniforms } from './page.ts';
 import { GRAIN, makeGrain } from './paper.ts';
-import { Parts } from './part.ts';
+import { type Fill, Parts } from './part.ts';
 import { SelectionUniforms } from './selection.ts';
 import { makeTargets } from './targets.ts';
 
@@ -85,7 +85,7 @@ export class Pipeline {
     this.#grain = makeGrain(renderer);
     const uniforms = { lines: this.#lines, ink: this.#ink, page: this.#page, selection: this.#selection };
     this.#materials = new Materials(uniforms, this.#targets, this.#grain.texture);
-    this.parts = new Parts(this.#materials, this.#materials.fill('toon'));
+    this.parts = new Parts(this.#materials, this.#fill('toon'));
     this.#quad = new QuadMesh(this.#materials.occluder);
     this.parts.colour.add(this.#grid.mesh);
     this.setLook(DEFAULT_LOOK);
@@ -104,7 +104,7 @@ export class Pipeline {
     this.#lines.overlaps.value = look.overlaps;
     this.#grid.setColour(ink);
     this.#grid.mesh.visible = look.grid;
-    this.parts.setFill(this.#materials.fill(look.style));
+    this.parts.setFill(this.#fill(look.style));
     this.parts.setWireframe(look.wireframe);
     this.#scaleLines();
   }
@@ -148,6 +148,10 @@ export class Pipeline {
     this.#grain.dispose();
     for (const target of Object.values(this.#targets)) target.dispose();
     this.#materials.dispose();
+  }
+
+  #fill(style: Look['style']): Fill {
+    return (painted) => this.#materials.fill(style, painted);
   }
 
   get #output(): RenderTarget | null {

@@ -12,8 +12,10 @@ import {
   HALFWAY,
   interpolated,
   LIGHT,
+  paintedColour,
   partColour,
   SHININESS,
+  vertexColour,
   vertexNormal,
 } from './light.ts';
 
@@ -30,26 +32,28 @@ function lighting(normal: Node<'vec3'>, ambient: Node<'vec3'>, gain: number) {
   return { diffuse: ambient.add(GAIN.mul(facing.mul(gain))), highlight: highlight.mul(HIGHLIGHT) };
 }
 
-function colour(normal: Node<'vec3'>, ambient: Node<'vec3'>, gain: number): Node<'vec3'> {
+function shaded(colour: Node<'vec3'>, normal: Node<'vec3'>, ambient: Node<'vec3'>, gain: number) {
   const { diffuse, highlight } = lighting(normal, ambient, gain);
-  return partColour.mul(diffuse).add(vec3(highlight)).clamp(0, 1);
+  return colour.mul(diffuse).add(vec3(highlight)).clamp(0, 1);
 }
 
-export function phongMaterial(): NodeMaterial {
+export function phongMaterial(painted: boolean): NodeMaterial {
+  const colour = painted ? paintedColour : partColour;
   const material = new NodeMaterial();
-  material.name = 'phong';
+  material.name = painted ? 'phong, painted' : 'phong';
   material.side = DoubleSide;
-  material.fragmentNode = vec4(colour(facingNormal, AMBIENT.mul(PHONG_AMBIENT), 1), 1);
+  material.fragmentNode = vec4(shaded(colour, facingNormal, AMBIENT.mul(PHONG_AMBIENT), 1), 1);
   return material;
 }
 
-export function gouraudMaterial(): NodeMaterial {
+export function gouraudMaterial(painted: boolean): NodeMaterial {
+  const colour = painted ? vertexColour : partColour;
   // A vertex does not know which side of its faces will be seen: both are lit, the pixel chooses.
   const outward = vertexNormal.div(vertexNormal.length().max(1e-6));
-  const front = interpolated(colour(outward, AMBIENT, GOURAUD_GAIN), 'rotund_front');
-  const back = interpolated(colour(outward.negate(), AMBIENT, GOURAUD_GAIN), 'rotund_back');
+  const front = interpolated(shaded(colour, outward, AMBIENT, GOURAUD_GAIN), 'rotund_front');
+  const back = interpolated(shaded(colour, outward.negate(), AMBIENT, GOURAUD_GAIN), 'rotund_back');
   const material = new NodeMaterial();
-  material.name = 'gouraud';
+  material.name = painted ? 'gouraud, painted' : 'gouraud';
   material.side = DoubleSide;
   material.fragmentNode = vec4(frontFacing.select(front, back), 1);
   return material;

@@ -27,7 +27,16 @@ import {
   OneFactor,
   OneMinusSrcAlphaFactor,
 } from 'three/webgpu';
-import { AMBIENT, facingNormal, GAIN, HALFWAY, LIGHT, partColour, SHININESS } from './light.ts';
+import {
+  AMBIENT,
+  facingNormal,
+  GAIN,
+  HALFWAY,
+  LIGHT,
+  paintedColour,
+  partColour,
+  SHININESS,
+} from './light.ts';
 
 export const THRESHOLDS = [0.1, 0.2, 0.7] as const;
 /** Every band is one step above the last: .1 .3 .5 .7. */
@@ -59,16 +68,20 @@ export const band = THRESHOLDS.reduce<Node<'float'>>(
 
 const highlight = pixelStep(facingNormal.dot(HALFWAY).toVar(), HIGHLIGHT_THRESHOLD ** (1 / SHININESS));
 
-const lit = partColour.mul(AMBIENT.add(GAIN.mul(band))).clamp(0, 1);
+/** `colour` in toon's light, display values. */
+export function toonOf(colour: Node<'vec3'>): Node<'vec3'> {
+  const lit = colour.mul(AMBIENT.add(GAIN.mul(band))).clamp(0, 1);
+  return mix(lit, vec3(1), highlight.mul(HIGHLIGHT_WHITE));
+}
 
 /** The toon colour of a part, display values. */
-export const toonColour: Node<'vec3'> = mix(lit, vec3(1), highlight.mul(HIGHLIGHT_WHITE));
+export const toonColour = toonOf(partColour);
 
-export function toonMaterial(): NodeMaterial {
+export function toonMaterial(painted: boolean): NodeMaterial {
   const material = new NodeMaterial();
-  material.name = 'toon';
+  material.name = painted ? 'toon, painted' : 'toon';
   material.side = DoubleSide;
-  material.fragmentNode = vec4(toonColour, 1);
+  material.fragmentNode = vec4(painted ? toonOf(paintedColour) : toonColour, 1);
   return material;
 }
 

@@ -21,6 +21,7 @@ export const box: ShapeKind<BoxShape> = {
     { type: 'box', half: [1e-6, 2e-6, 3e-6] },
     { type: 'box', half: [1e6, 2e6, 3e6] },
   ],
+  takes: ['vec3f'],
   numbers: ({ half }) => half,
   bind({ half }) {
     half.forEach((size, i) => {

@@ -21,6 +21,7 @@ export const capsule: ShapeKind<Capsule> = {
     { type: 'capsule', radius: 1e-6, half: 3e-6 },
     { type: 'capsule', radius: 1e6, half: 3e6 },
   ],
+  takes: ['f32', 'f32'],
   numbers: ({ radius, half }) => [radius, half],
   bind({ radius, half }) {
     requireSize(radius, 'radius');

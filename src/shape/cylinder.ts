@@ -19,6 +19,7 @@ export const cylinder: ShapeKind<Cylinder> = {
     { type: 'cylinder', radius: 1e-6, half: 3e-6 },
     { type: 'cylinder', radius: 1e6, half: 3e6 },
   ],
+  takes: ['f32', 'f32'],
   numbers: ({ radius, half }) => [radius, half],
   bind({ radius, half }) {
     requireSize(radius, 'radius');

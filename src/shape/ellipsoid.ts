@@ -24,6 +24,7 @@ export const ellipsoid: ShapeKind<Ellipsoid> = {
     { type: 'ellipsoid', radii: [1e-6, 2e-6, 3e-6] },
     { type: 'ellipsoid', radii: [1e6, 2e6, 3e6] },
   ],
+  takes: ['vec3f'],
   numbers: ({ radii }) => radii,
   bind({ radii }) {
     radii.forEach((radius, i) => {

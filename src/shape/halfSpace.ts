@@ -20,6 +20,7 @@ export const halfSpace: ShapeKind<HalfSpace> = {
     { type: 'halfSpace', normal: [1e-6, 1e-6, 0], offset: 1e-6 },
     { type: 'halfSpace', normal: [1e6, 0, 2e6], offset: 1 },
   ],
+  takes: ['vec3f', 'f32'],
   numbers: ({ normal, offset }) => [...unit(normal), offset],
   bind({ normal, offset }) {
     if (!Number.isFinite(offset)) throw new FieldError(`offset must be a number in mm, got ${offset}`);

@@ -41,6 +41,7 @@ export const quadric: ShapeKind<Quadric> = {
       constant: 1,
     },
   ],
+  takes: ['vec3f', 'vec3f', 'vec3f', 'f32'],
   numbers: ({ squares, products, linear, constant }) => [...squares, ...products, ...linear, constant],
   bind(shape) {
     const numbers = quadric.numbers(shape);

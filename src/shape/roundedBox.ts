@@ -21,6 +21,7 @@ export const roundedBox: ShapeKind<RoundedBox> = {
     { type: 'roundedBox', half: [1e-6, 2e-6, 3e-6], radius: 5e-7 },
     { type: 'roundedBox', half: [1e6, 2e6, 3e6], radius: 1e5 },
   ],
+  takes: ['vec3f', 'f32'],
   numbers: ({ half, radius }) => [...half, radius],
   bind({ half, radius }) {
     half.forEach((size, i) => {

@@ -26,7 +26,9 @@ export interface ShapeKind<S> {
   readonly exact: boolean;
   /** the first is what a menu begins with, the others are awkward; tests run over all */
   readonly examples: readonly S[];
-  /** what the WGSL twin takes after the point, in its order */
+  /** what the WGSL twin takes after the point, 12 numbers in all at most */
+  readonly takes: readonly ('f32' | 'vec3f')[];
+  /** those, in its order */
   numbers(shape: S): readonly number[];
   /** Checks what types cannot say; throws FieldError. */
   bind(shape: S): Field;

@@ -16,6 +16,7 @@ export const sphere: ShapeKind<Sphere> = {
     { type: 'sphere', radius: 1e-6 },
     { type: 'sphere', radius: 1e6 },
   ],
+  takes: ['f32'],
   numbers: ({ radius }) => [radius],
   bind({ radius }) {
     requireSize(radius, 'radius');

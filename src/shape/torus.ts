@@ -21,6 +21,7 @@ export const torus: ShapeKind<Torus> = {
     { type: 'torus', ring: 2e-6, tube: 1e-6 },
     { type: 'torus', ring: 2e6, tube: 1e6 },
   ],
+  takes: ['f32', 'f32'],
   numbers: ({ ring, tube }) => [ring, tube],
   bind({ ring, tube }) {
     requireSize(ring, 'ring');

@@ -33,7 +33,7 @@ const MARGIN = 1.001;
 
 /** All kernels fall with the distance, and have done most of it within 20 units. FieldError for a singular one from 0. */
 export function steepness(kernel: Kernel, params: KernelParams, from: number): Steepness {
-  if (!(from >= 0)) throw new FieldError(`distance must be at least 0 mm, got ${from}`);
+  if (!(from >= 0 && from < Infinity)) throw new FieldError(`distance must be at least 0 mm, got ${from}`);
   const isSingular = kernel.homogeneity !== 0;
   if (isSingular && from === 0) throw new FieldError(`kernel ${kernel.name} needs a distance above 0 mm`);
   const exponent = params.n ?? 4;

@@ -4,7 +4,7 @@
  * points, so that it is subdivided with the curve; between cuts it is linear.
  */
 import type { Vec3 } from '../math/vec.ts';
-import { expandPolyline } from './polyline.ts';
+import { expandPolyline, type PolylineSkel } from './polyline.ts';
 import { FieldError } from './skeleton.ts';
 import type { SegmentSkel } from './skels.ts';
 
@@ -26,6 +26,11 @@ const DEGREE = 3;
 
 /** FieldError for numbers that do not fit together. */
 export function expandNurbs(skel: NurbsSkel): SegmentSkel[] {
+  return expandPolyline(nurbsPolyline(skel));
+}
+
+/** The points at which the curve is cut, with their weights; FieldError for numbers that do not fit together. */
+export function nurbsPolyline(skel: NurbsSkel): PolylineSkel {
   const knots = skel.knots ?? clampedKnots(skel.points.length);
   check(skel, knots);
   const controls = skel.points.map((p, i) => {
@@ -40,12 +45,12 @@ export function expandNurbs(skel: NurbsSkel): SegmentSkel[] {
       vertices.push(deBoor(controls, knots, span, from + ((to - from) * i) / skel.density));
     }
   }
-  return expandPolyline({
+  return {
     type: 'polyline',
     points: vertices.map(([x, y, z, , h]): Vec3 => [x! / h!, y! / h!, z! / h!]),
     weights: vertices.map(([, , , w, h]) => w! / h!),
     closed: false,
-  });
+  };
 }
 
 /** 0, 0, 0, 0, 1, 2 … n − 3 four times. */
@@ -87,5 +92,8 @@ function check({ points, weights, rational, density }: NurbsSkel, knots: readonl
   const rising = knots.every((knot, i) => Number.isFinite(knot) && (i === 0 || knot >= knots[i - 1]!));
   if (knots.length !== n + 4 || !clamped || !rising || knots[0] === knots[n]) {
     throw new FieldError(`knots must be ${n + 4} numbers that do not fall, the first and last four alike`);
+  }
+  if (knots.some((knot, i) => i > 0 && i < n && knot === knots[i + 3])) {
+    throw new FieldError('more than three knots in one place tear a curve apart');
   }
 }

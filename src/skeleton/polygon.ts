@@ -17,6 +17,9 @@ import type { PolygonSkel } from './skels.ts';
 
 export const polygon: Skeleton<PolygonSkel> = { name: 'polygon', bind };
 
+/** kernel units; farther away nothing is left but what sums over edges do not cancel, and their squares overflow */
+const FARTHEST = 1e30;
+
 function bind(skel: PolygonSkel, kernel: Kernel, params: KernelParams): SkelField {
   const checked = checkedParams(kernel, params);
   const { edge } = kernel;
@@ -27,19 +30,19 @@ function bind(skel: PolygonSkel, kernel: Kernel, params: KernelParams): SkelFiel
   const per = 1 / unit;
   const edges = outlineOf(region, per, kernel.support);
   const factor = skel.weight * whole(unit, 2 + kernel.homogeneity);
-  const area = region.area * per * per;
+  const covered = region.covered * per * per;
   const frame = new EdgeFrame();
   frame.exponent = checked.n ?? frame.exponent;
   frame.floor2 = kernel.floor2.plate;
   const integral = new Float64Array(3);
   const { support } = kernel;
-  const beyond = region.radius * per + support;
+  const beyond = region.radius * per + Math.min(support, FARTHEST);
   // value and gradient in the frame of the plane, kernel units
   const sum = new Float64Array(4);
   const bound = (r2: number) => {
     const at = Math.max(r2, frame.floor2);
     const plate = kernel.wholePlane?.(at, frame.exponent) ?? Infinity;
-    return Math.abs(factor) * Math.min(plate, area * kernel.value(at, frame.exponent));
+    return Math.abs(factor) * Math.min(region.turns * plate, covered * kernel.value(at, frame.exponent));
   };
 
   const integrate = (x: number, y: number, z: number, slopes: boolean): void => {
@@ -121,7 +124,7 @@ function isBeyond(edges: Float64Array, i: number, qx: number, qy: number, reach:
 }
 
 function cornersOf({ loops, middle, u, v }: Region): Vec3[] {
-  return loops[0]!.map(([x, y]): Vec3 => {
+  return loops.flat().map(([x, y]): Vec3 => {
     const along = (axis: 0 | 1 | 2) => middle[axis] + x * u[axis] + y * v[axis];
     return [along(0), along(1), along(2)];
   });

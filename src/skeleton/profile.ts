@@ -3,7 +3,7 @@
  * keys with tension, continuity and bias (Kochanek & Bartels 1984), or Bézier ordinates. Both are cubics in the fraction of
  * the length, so that each piece is a segment with a weight of degree 3 and nothing is approximated.
  */
-import { add3, scale3 } from '../math/tuple.ts';
+import { add3, length3, scale3 } from '../math/tuple.ts';
 import type { Vec3 } from '../math/vec.ts';
 import { distance3 } from './curve.ts';
 import { FieldError } from './skeleton.ts';
@@ -37,6 +37,12 @@ export interface WeightPiece {
   readonly coefficients: readonly [number, number, number, number];
 }
 
+/**
+ * Of the size of the numbers: where a piece of the curve ends at a vertex but for rounding, what is left between them is no
+ * segment. It has no direction, and a cross section needs one.
+ */
+const GRAIN = 1e-12;
+
 /** FieldError for curves and lines that do not fit. */
 export function expandProfile({ points, curve }: ProfileSkel): SegmentSkel[] {
   const pieces = weightPieces(curve);
@@ -54,7 +60,8 @@ export function expandProfile({ points, curve }: ProfileSkel): SegmentSkel[] {
         const [u0, u1] = [Math.max(piece.from, from), Math.min(piece.to, to)];
         const at = (u: number) => mix(points[i]!, points[i + 1]!, (u - from) / (to - from));
         return { type: 'segment', a: at(u0), b: at(u1), weights: restricted(piece, u0, 1 / total) } as const;
-      });
+      })
+      .filter(({ a, b }) => distance3(a, b) > GRAIN * (total + length3(a)));
   });
 }
 

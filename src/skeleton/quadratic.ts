@@ -14,6 +14,7 @@ import { gauss } from '../math/quadrature.ts';
 import { PI, TAU } from '../math/trig.ts';
 import { add3, dot3, length3, scale3, sub3 } from '../math/tuple.ts';
 import type { Vec3 } from '../math/vec.ts';
+import { checkFinite } from './binding.ts';
 import { allowedShift, distance3, type Fidelity, MOST_PIECES, type Steepness, steepness } from './curve.ts';
 import { FieldError } from './skeleton.ts';
 import type { SegmentSkel } from './skels.ts';
@@ -38,6 +39,7 @@ const PLACES = 0.8;
 /** FieldError for numbers that do not fit, and when more than MOST_PIECES chords were needed. */
 export function expandQuadratic(skel: QuadraticSkel, kernel: Kernel, params: KernelParams): SegmentSkel[] {
   const { points, weights, fieldError, distance } = skel;
+  checkFinite('the points and weights of a spline', [...points.flat(), ...weights]);
   const count = weights.length - 1;
   if (count < 1 || points.length !== 2 * count + 1) {
     throw new FieldError(
@@ -50,7 +52,11 @@ export function expandQuadratic(skel: QuadraticSkel, kernel: Kernel, params: Ker
     const [a, b, c] = points.slice(2 * i, 2 * i + 3) as [Vec3, Vec3, Vec3];
     const even = evenPieces({ p: [a, b, c], w: [weights[i]!, w1] }, skel, fieldError / count, steep);
     const share = ((1 - PLACES) * fieldError) / count / even.length;
-    return even.flatMap((piece) => follow(piece, share, steep.value, 0));
+    return even.flatMap((piece) => {
+      const chords = follow(piece, share, steep.value, 0);
+      if (!chords) throw tooMany(fieldError);
+      return chords;
+    });
   });
   if (segments.length === 0) throw new FieldError('a curve needs two points that are apart');
   return segments;
@@ -86,15 +92,15 @@ function winding(start: Vec3, end: Vec3): number {
   return halfTurn > 1 / PI ? 2 / halfTurn : TAU;
 }
 
-function follow(piece: Piece, share: number, most: number, depth: number): SegmentSkel[] {
+/** null where the halving finds no end */
+function follow(piece: Piece, share: number, most: number, depth: number): SegmentSkel[] | null {
   const segment = chord(piece);
   const { mass, excess } = masses(piece);
   if (mass === 0) return [];
   if (segment && most * excess <= share) return [segment];
-  if (depth > 12) throw tooMany(share);
-  return [part(piece, 0, 0.5), part(piece, 0.5, 1)].flatMap((half) =>
-    follow(half, share / 2, most, depth + 1),
-  );
+  if (depth > 12) return null;
+  const [first, second] = [0, 0.5].map((t) => follow(part(piece, t, t + 0.5), share / 2, most, depth + 1));
+  return first && second ? [...first, ...second] : null;
 }
 
 /** ∫|c′| by the line between the speeds at both ends, and what of it, times the larger weight, is too much. */

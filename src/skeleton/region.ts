@@ -6,6 +6,7 @@ import { type Vec2, type Vec3, vec3 } from '../math/vec.ts';
 import { checkFinite } from './binding.ts';
 import { FieldError } from './skeleton.ts';
 import type { PolygonSkel } from './skels.ts';
+import { type Winding, windingOf } from './winding.ts';
 
 export interface Frame {
   readonly u: Vec3;
@@ -35,13 +36,11 @@ function unitVector(v: Vec3): Vec3 {
   return [x / length, y / length, z / length];
 }
 
-export interface Region extends Frame {
+export interface Region extends Frame, Winding {
   /** mm, in space */
   readonly middle: Vec3;
   /** mm, of the circle around `middle` that holds the region */
   readonly radius: number;
-  /** mm² */
-  readonly area: number;
   /** mm from `middle`: outer loop counter-clockwise, holes clockwise, no edge without length */
   readonly loops: readonly (readonly Vec2[])[];
 }
@@ -56,11 +55,11 @@ export function regionOf(skel: PolygonSkel): Region {
   const loops = skel.loops.map((loop, i) => turned(loop, centre, i));
   const area = loops.reduce((sum, loop) => sum + areaOf(loop), 0);
   if (!(area > 0)) throw new FieldError('the holes of a polygon must be smaller than its outline');
-  const radius = Math.sqrt(Math.max(...loops[0]!.map(([x, y]) => x * x + y * y)));
+  const radius = Math.sqrt(Math.max(...loops.flat().map(([x, y]) => x * x + y * y)));
   const middle: [number, number, number] = [0, 0, 0];
   vec3.scaleAndAdd(middle, skel.origin, frame.u, centre[0]);
   vec3.scaleAndAdd(middle, middle, frame.v, centre[1]);
-  return { ...frame, middle, radius, area, loops };
+  return { ...frame, middle, radius, loops, ...windingOf(loops, area) };
 }
 
 function middleOf(loop: readonly Vec2[]): Vec2 {

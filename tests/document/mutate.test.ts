@@ -1,4 +1,5 @@
 /** Files gone wrong are read or refused with a sentence, and nothing else happens. `npm run test:full` tries ten times as many. */
+import { isDeepStrictEqual } from 'node:util';
 import { afterEach, describe, expect, it } from 'vitest';
 import { FileError, parse, serialize } from '../../src/document/serialize.ts';
 import { topology } from '../../src/mesh/check.ts';
@@ -14,7 +15,9 @@ function tried({ kind, text }: Mutant): boolean {
   try {
     const drawing = parse(text, FILE);
     for (const mesh of meshesOf(drawing.document, COARSE)) expect(topology(mesh).finite, kind).toBe(true);
-    expect(parse(serialize(drawing), 'x'), kind).toEqual(drawing);
+    const again = parse(serialize(drawing), 'x');
+    // the same question asked of thousands of samples, three times as fast; the slow way says where
+    if (!isDeepStrictEqual(again, drawing)) expect(again, kind).toEqual(drawing);
     return true;
   } catch (error) {
     if (!(error instanceof FileError)) throw error;

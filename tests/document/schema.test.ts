@@ -42,9 +42,9 @@ describe('docs/rotund.schema.json', () => {
     let refused = 0;
     for (let seed = 0; seed < 1000; seed++) {
       const { kind, text } = mutant(seed);
-      const data = dataOf(text);
-      // what is not JSON, or a million things, says nothing about fields
-      if (data === undefined || text.length > 200_000) continue;
+      // a million things, or what is not JSON, says nothing about fields
+      const data = text.length > 200_000 ? undefined : dataOf(text);
+      if (data === undefined) continue;
       const sound = isSoundByField(data);
       expect(accepts(published, data), `${seed}: ${kind}`).toBe(sound);
       if (!sound) refused++;

@@ -93,6 +93,22 @@ describe('warped skels', () => {
     }
   });
 
+  test.each([2, 5, 100])('an extruded skel may be thicker than a kilometre, exponent %d', (exponent) => {
+    const warp: Warp = { section: { type: 'extrusion', exponent }, scale: [1, 1], up: [0, 1, 0] };
+    for (const radius of [1e5, 2e6]) {
+      const skel: Term['skel'] = {
+        type: 'segment',
+        a: [0, 0, -9e6],
+        b: [0, 0, 9e6],
+        radii: [radius, radius],
+      };
+      const field = bindField({ ...body({ skel, warp }), params: { s: 1 / radius } } as FieldNode);
+      expect(field.value(0, 0, 0)).toBeGreaterThan(0);
+      expect(field.value(0, field.box!.max[1] * 1.01, 0)).toBeLessThan(0);
+      expect(gradientError(field, [[radius / 3, 0.9 * field.box!.max[1], 0]], 1)).toBeLessThan(1e-6);
+    }
+  });
+
   test('only along and up tell where a section points: it moves and turns with them (seed 43)', () => {
     const warp: Warp = { section: { type: 'polar', radii: flower }, scale: [1, 2], up: [0, 1, 0] };
     const turned: Warp = { ...warp, up: [0, 0, 1] };
@@ -125,6 +141,11 @@ describe('warped skels', () => {
       'a point without along',
       { skel: point, warp: { section: { type: 'round' }, scale: [1, 1], up } },
       /along/,
+    ],
+    [
+      'one scale',
+      { skel: segment, warp: { section: { type: 'round' }, scale: [1] as never, up } },
+      /scale must be 2 numbers, got 1/,
     ],
     ['no width', { skel: segment, warp: { section: { type: 'round' }, scale: [1, 0], up } }, /scale\[1\]/],
     [

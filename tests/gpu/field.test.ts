@@ -1,9 +1,11 @@
+/** The life of a field on the GPU: it compiles when its make changes only, and may change at any time. */
 import { afterAll, describe, expect, it } from 'vitest';
+import { bindField } from '../../src/field/bind.ts';
+import type { FieldNode, SkelsNode, Term } from '../../src/field/node.ts';
 import { gpuField } from '../../src/gpu/field.ts';
-import type { KernelSkel } from '../../src/gpu/records.ts';
 import { kernelNamed } from '../../src/kernel/index.ts';
 import type { PolygonSkel, Skel } from '../../src/skeleton/skels.ts';
-import { random } from '../fixtures/random.ts';
+import { BONE, body, evaluated, type Point, placed, points, sphere } from '../field/trees.ts';
 import { withDevice } from './compute.ts';
 import { closeDawn, describeGpu } from './dawn.ts';
 
@@ -27,19 +29,16 @@ const SQUARE: PolygonSkel = {
 const LINE: Skel = { type: 'segment', a: [-2, 0, 1], b: [2, 1, 0], weights: [1, 0.25] };
 const DOT: Skel = { type: 'point', at: [0, 2, 0], weight: 1.5 };
 
-const of = (name: string, ...skels: readonly Skel[]): KernelSkel[] => {
-  const kernel = kernelNamed(name)!;
-  const params = Object.fromEntries(kernel.params.map((spec) => [spec.name, spec.name === 'R' ? 3 : 1]));
-  return skels.map((skel) => ({ skel, kernel, params: { ...params, ...(params.n ? { n: 2.5 } : {}) } }));
+const sum = (kernel: string, ...skels: readonly Skel[]): SkelsNode => {
+  const params = Object.fromEntries(
+    kernelNamed(kernel)!.params.map(({ name }) => [name, name === 's' ? 1 : 3]),
+  );
+  return { type: 'skels', kernel, params, threshold: 1, skels: skels.map((skel) => ({ skel })) };
 };
+const united = (...parts: readonly FieldNode[]): FieldNode => ({ type: 'union', form: 'smooth', parts });
 
-/** x, y, z, x, … in [−3, 3) */
-function somewhere(count: number, seed: number): Float32Array {
-  const uniform = random(seed);
-  return Float32Array.from({ length: 3 * count }, () => 6 * uniform() - 3);
-}
-
-const largest = (numbers: ArrayLike<number>): number => Math.max(...Array.from(numbers, Math.abs));
+const flat = (list: readonly Point[]): Float32Array => Float32Array.from(list.flat());
+const SOMEWHERE = flat(points(100, 3, 33));
 
 /** Counts what a device compiles from now on. */
 function counting(device: GPUDevice): { pipelines: number; modules: number } {
@@ -63,61 +62,40 @@ function counting(device: GPUDevice): { pipelines: number; modules: number } {
 }
 
 describeGpu('a field on the GPU', () => {
-  it('is the sum of its skels, whatever kernels they mix (seed 31)', async () => {
+  it('is its twin at a list of points (seed 31)', async () => {
+    const node = united(body(), placed(sphere(2), 3, 1, 0));
+    const twin = bindField(node);
+    const at = points(300, 6, 31).map((p) => p.map(Math.fround) as unknown as Point);
     await withDevice(async (device) => {
-      const skels = [...of('cauchy', SQUARE, LINE), ...of('quartic', LINE, DOT), ...of('gaussian', DOT)];
-      const points = somewhere(200, 31);
-      const whole = gpuField(device, skels);
-      const together = await whole.evaluate(points);
-      const apart = new Float64Array(together.length);
-      for (const skel of skels) {
-        const alone = gpuField(device, [skel]);
-        (await alone.evaluate(points)).forEach((number, i) => {
-          apart[i] = apart[i]! + number;
+      const field = gpuField(device, node);
+      const values = await field.evaluate(flat(at));
+      at.forEach((p, i) => {
+        evaluated(twin, p).forEach((number, k) => {
+          expect(Math.abs(values[4 * i + k]! - number)).toBeLessThan(1e-5 * (1 + Math.abs(number)));
         });
-        alone.destroy();
-      }
-      whole.destroy();
-      const scale = largest(apart);
-      expect(scale).toBeGreaterThan(1);
-      expect(largest(together.map((number, i) => number - apart[i]!))).toBeLessThan(2e-6 * scale);
-    });
-  });
-
-  it('gives each skel its own point when asked for pairs (seed 32)', async () => {
-    await withDevice(async (device) => {
-      const skels = [...of('inverse', SQUARE, LINE, DOT), ...of('quartic', LINE)];
-      const points = somewhere(skels.length, 32);
-      const field = gpuField(device, skels);
-      const pairs = await field.evaluatePairs(points);
-      for (const [i, skel] of skels.entries()) {
-        field.update([skel]);
-        const alone = await field.evaluate(points.subarray(3 * i, 3 * i + 3));
-        const error = largest(alone.map((number, k) => number - pairs[4 * i + k]!));
-        expect(error).toBeLessThanOrEqual(1e-6 * largest(alone));
-      }
-      await expect(async () => field.evaluatePairs(points)).rejects.toThrow('4 points for 1 skels');
+      });
       field.destroy();
     });
   });
 
-  it('compiles nothing when parameters, weights or places change, or points are added', async () => {
+  it('compiles nothing when numbers, places, skels or the tree itself change', async () => {
     await withDevice(async (device) => {
       const counts = counting(device);
-      const field = gpuField(device, of('cauchy', LINE, DOT));
-      const points = somewhere(100, 33);
-      const before = await field.evaluate(points);
+      const field = gpuField(device, united(sum('cauchy', LINE, DOT), sphere(1)));
+      const before = await field.evaluate(SOMEWHERE);
       expect(counts).toEqual({ pipelines: 1, modules: 1 });
       const moved: Skel = { ...LINE, a: [-2, 0.5, 1], weights: [2, 0, 0.1] };
-      const wider = of('cauchy', moved, DOT, DOT).map((skel) => ({ ...skel, params: { s: 0.7 } }));
-      field.update(wider);
-      const after = await field.evaluate(somewhere(150, 33));
-      expect(after.subarray(0, 400)).not.toEqual(before);
-      const other = gpuField(device, of('cauchy', DOT, LINE));
-      await other.evaluate(points);
+      const wider = { ...sum('cauchy', moved, DOT, DOT), params: { s: 0.7 }, threshold: 0.5 };
+      field.update(united(placed(wider, 1, 0, 0), sphere(2)));
+      expect(await field.evaluate(SOMEWHERE)).not.toEqual(before);
+      // another structure of the same make
+      field.update(united(sphere(1), united(sum('cauchy', DOT), sphere(3), sum('cauchy', LINE))));
+      await field.evaluate(SOMEWHERE);
+      const other = gpuField(device, united(sphere(1), sum('cauchy', DOT, LINE)));
+      await other.evaluate(SOMEWHERE.subarray(0, 30));
       expect(counts).toEqual({ pipelines: 1, modules: 1 });
-      field.update(of('cauchy', SQUARE));
-      await field.evaluate(points);
+      field.update(united(sum('quartic', LINE), sphere(1)));
+      await field.evaluate(SOMEWHERE);
       expect(counts).toEqual({ pipelines: 2, modules: 2 });
       field.destroy();
       other.destroy();
@@ -127,69 +105,81 @@ describeGpu('a field on the GPU', () => {
   it('may be changed and given up while values are on their way', async () => {
     await withDevice(async (device) => {
       device.pushErrorScope('validation');
-      const points = somewhere(100, 34);
-      const field = gpuField(device, of('cauchy', LINE));
-      const steady = gpuField(device, of('cauchy', LINE));
-      const first = field.evaluate(points);
-      field.update(of('cauchy', DOT));
-      const second = field.evaluate(points);
+      const field = gpuField(device, sum('cauchy', LINE));
+      const steady = gpuField(device, sum('cauchy', LINE));
+      const first = field.evaluate(SOMEWHERE);
+      field.update(sum('cauchy', DOT));
+      const second = field.evaluate(SOMEWHERE);
       field.destroy();
-      expect(await first).toEqual(await steady.evaluate(points));
-      steady.update(of('cauchy', DOT));
-      expect(await second).toEqual(await steady.evaluate(points));
+      expect(await first).toEqual(await steady.evaluate(SOMEWHERE));
+      steady.update(sum('cauchy', DOT));
+      expect(await second).toEqual(await steady.evaluate(SOMEWHERE));
       steady.destroy();
       expect(await device.popErrorScope()).toBeNull();
     });
   });
 
-  it('is 0 without skels, and nothing without points', async () => {
+  it('keeps the tree before when the next has no field', async () => {
     await withDevice(async (device) => {
-      const field = gpuField(device, []);
-      expect(await field.evaluate(Float32Array.of(1, 2, 3))).toEqual(new Float32Array(4));
-      field.update(of('cauchy', DOT));
+      const field = gpuField(device, sum('cauchy', DOT));
+      const before = await field.evaluate(SOMEWHERE);
+      expect(() => field.update({ ...sum('cauchy', DOT), threshold: 0 })).toThrow(
+        'threshold must be above 0',
+      );
+      expect(await field.evaluate(SOMEWHERE)).toEqual(before);
       expect(await field.evaluate(new Float32Array())).toEqual(new Float32Array());
       field.destroy();
     });
   });
 
   it('is finite on the skels themselves, also where the kernel is singular', async () => {
+    const on = flat([
+      [-2, 0, 1],
+      [0, 0.5, 0.5],
+      [2, 1, 0],
+      [0, 2, 0],
+      [0, 0, 0],
+      [1, 0, 0],
+      [1, 1, 0],
+    ]);
     await withDevice(async (device) => {
-      const none: Skel = { type: 'segment', a: [1, 1, 1], b: [1, 1, 1], weights: [1] };
       for (const name of ['inverse', 'inverseSquared', 'inverseCubic', 'inverseQuintic', 'cauchy']) {
-        const skels = of(name, LINE, LINE, LINE, DOT, SQUARE, SQUARE, SQUARE, none);
-        const field = gpuField(device, skels);
-        const at = [
-          [-2, 0, 1],
-          [0, 0.5, 0.5],
-          [2, 1, 0],
-          [0, 2, 0],
-          [0, 0, 0],
-          [1, 0, 0],
-          [1, 1, 0],
-          [1, 1, 1],
-        ];
-        const values = await field.evaluatePairs(Float32Array.from(at.flat()));
+        const field = gpuField(device, sum(name, LINE, DOT, SQUARE));
+        const values = [...(await field.evaluate(on)), ...(await field.colours(on))];
         expect(values.every(Number.isFinite), `${name}: ${values}`).toBe(true);
-        expect([...values.subarray(28)].map(Math.abs)).toEqual([0, 0, 0, 0]);
         field.destroy();
       }
     });
   });
 
-  it('leaves an exact 0 beyond a support', async () => {
+  it('is −T, exactly, beyond a support and without skels of a length', async () => {
+    const none: Skel = { type: 'segment', a: [1, 1, 1], b: [1, 1, 1], weights: [1] };
     await withDevice(async (device) => {
-      const field = gpuField(device, of('quartic', SQUARE, LINE, DOT));
-      const values = await field.evaluate(Float32Array.of(40, 0, 0, 0, 4.5, 4.5, 0, 0, 3.01));
-      expect([...values.subarray(0, 8)].map(Math.abs)).toEqual(new Array(8).fill(0));
+      const field = gpuField(device, sum('quartic', SQUARE, LINE, DOT, none));
+      const values = await field.evaluate(Float32Array.of(40, 0, 0, 0, 5.5, 5.5, 0, 0, 4.5));
+      expect([...values]).toEqual([-1, 0, 0, 0, -1, 0, 0, 0, -1, 0, 0, 0]);
+      field.destroy();
+    });
+  });
+
+  it('has the colours of its skels, and the first where none reaches', async () => {
+    const terms: readonly Term[] = [
+      { skel: DOT, colour: [1, 0.5, 0] },
+      { skel: { ...DOT, at: [50, 0, 0] }, colour: [0, 0, 1] },
+    ];
+    await withDevice(async (device) => {
+      const field = gpuField(device, { ...sum('quartic'), skels: terms });
+      const colours = await field.colours(Float32Array.of(0, 2, 0, 50, 0, 0, 0, 99, 0));
+      expect([...colours]).toEqual([0.5, 1, 0.5, 0, 0.5, 0, 0, 1, -1, 1, 0.5, 0]);
       field.destroy();
     });
   });
 });
 
-describe('records of skels', () => {
-  it('refuse what has no field, before any device is asked', () => {
-    const device = {} as GPUDevice;
-    const flat = { ...SQUARE, v: [2, 0, 0] } as const;
-    expect(() => gpuField(device, of('cauchy', flat))).toThrow();
+describe('records of a tree', () => {
+  it('are not made of what has no field, before any device is asked', () => {
+    const flatSquare = { ...SQUARE, v: [2, 0, 0] } as const;
+    expect(() => gpuField({} as GPUDevice, sum('cauchy', flatSquare))).toThrow('skels[0]: ');
+    expect(() => gpuField({} as GPUDevice, { ...body(), skels: BONE, kernel: 'none' })).toThrow('none');
   });
 });

@@ -1,6 +1,6 @@
 /** How far a float32 field may be from the truth: the tolerances of the reference vectors, for any skel and kernel. */
 import { expect } from 'vitest';
-import { gpuField } from '../../src/gpu/field.ts';
+import { evaluatePairs } from '../../src/gpu/pairs.ts';
 import type { KernelSkel } from '../../src/gpu/records.ts';
 import type { Vec3 } from '../../src/math/vec.ts';
 import { regionOf } from '../../src/skeleton/region.ts';
@@ -56,11 +56,8 @@ const TOLERANCE: Errors = { value: 2e-6, gradient: 1e-5 };
  * Errors of what the GPU makes of each case.
  */
 export async function judged(cases: readonly Case[]): Promise<Errors[]> {
-  const values = await withDevice((device) => {
-    const field = gpuField(device, cases);
-    const points = Float32Array.from(cases.flatMap(({ p }) => p));
-    return field.evaluatePairs(points).finally(() => field.destroy());
-  });
+  const points = Float32Array.from(cases.flatMap(({ p }) => p));
+  const values = await withDevice((device) => evaluatePairs(device, cases, points));
   return cases.map((one, i) => errorsOf(one, values.subarray(4 * i, 4 * i + 4)));
 }
 

@@ -122,7 +122,7 @@ describeGpu(`cross sections in WGSL are their twins (${COUNT} points, seed ${SEE
 
   beforeAll(async () => {
     const input = casesOf(SEED);
-    const modules = { ...SHADERS, test, profiles: heldProfiles };
+    const modules = { ...SHADERS, test, 'field/profiles': heldProfiles };
     const numbers = await withDevice((device) =>
       compute(device, modules, input.buffer, 4 * OUT * COUNT, COUNT),
     );

@@ -1,9 +1,16 @@
 /** All that can be linked is valid WGSL: on Dawn's null backend, which needs no driver, so that this runs everywhere. */
 import { afterAll, describe, expect, it } from 'vitest';
 import { create } from 'webgpu';
-import { fieldPipelines } from '../../src/gpu/pipelines.ts';
-import { PRIMITIVES, type Primitive } from '../../src/gpu/structs.ts';
-import { kernels } from '../../src/kernel/index.ts';
+import {
+  type Ingredient,
+  type Ingredients,
+  KINDS,
+  type Named,
+  noIngredients,
+  REGISTRY,
+} from '../../src/gpu/ingredients.ts';
+import { type Entry, fieldPipelines } from '../../src/gpu/pipelines.ts';
+import { EVERYTHING } from './everything.ts';
 
 const dawn: { gpu: GPU | null } = { gpu: create(['backend=null']) as GPU };
 afterAll(() => {
@@ -13,41 +20,68 @@ afterAll(() => {
 const adapter = await dawn.gpu?.requestAdapter();
 const device = await adapter?.requestDevice();
 
-const KERNELS = kernels.map(({ name }) => name);
+const { kernels, primitives, sections, shapes, operations } = REGISTRY;
+const ENTRIES: readonly Entry[] = ['points', 'colours', 'pairs'];
 
-/** all subsets but the empty one */
-const MIXES: readonly (readonly Primitive[])[] = [1, 2, 3, 4, 5, 6, 7].map((bits) =>
-  PRIMITIVES.filter((_, i) => bits & (1 << i)),
-);
+type Wanted = { readonly [K in Ingredient]?: readonly Named<K>[] };
 
-async function validate(named: readonly string[], primitives: readonly Primitive[]): Promise<void> {
+const of = (wanted: Wanted): Ingredients => {
+  const made = noIngredients() as Record<Ingredient, Set<string>>;
+  for (const kind of KINDS) made[kind] = new Set(wanted[kind] ?? []);
+  return made as unknown as Ingredients;
+};
+
+async function validate(ingredients: Ingredients, entries: readonly Entry[] = ['points']): Promise<void> {
   if (!device) throw new Error('no null backend');
-  const pipelines = fieldPipelines(device, { kernels: named, primitives });
+  const pipelines = fieldPipelines(device, ingredients);
   device.pushErrorScope('validation');
-  await Promise.all([pipelines.pipeline('points'), pipelines.pipeline('pairs')]);
+  await Promise.all(entries.map((entry) => pipelines.pipeline(entry)));
   expect((await device.popErrorScope())?.message ?? null).toBeNull();
 }
 
-describe('on the null backend', () => {
-  for (const kernel of KERNELS) {
-    it(`${kernel} is valid with every primitive`, async () => {
-      for (const primitive of PRIMITIVES) await validate([kernel], [primitive]);
-    });
-  }
+/** all subsets but the empty one */
+const mixes = <T>(names: readonly T[]): readonly (readonly T[])[] =>
+  Array.from({ length: 2 ** names.length - 1 }, (_, bits) => names.filter((_, i) => (bits + 1) & (1 << i)));
 
-  it('every pair of kernels is valid with all primitives', async () => {
-    for (const one of KERNELS) {
-      for (const other of KERNELS.slice(KERNELS.indexOf(one) + 1)) {
-        await validate([one, other], PRIMITIVES);
+describe('on the null backend', () => {
+  it.each(kernels)('%s is valid with every primitive and every section', async (kernel) => {
+    for (const primitive of primitives) {
+      await validate(of({ kernels: [kernel], primitives: [primitive] }), ENTRIES);
+      for (const section of sections) {
+        await validate(of({ kernels: [kernel], primitives: [primitive], sections: [section] }));
       }
     }
   });
 
-  it('all kernels together are valid with every mix of primitives', async () => {
-    for (const primitives of MIXES) await validate(KERNELS, primitives);
+  it('every pair of kernels is valid with all primitives', async () => {
+    for (const [i, one] of kernels.entries()) {
+      for (const other of kernels.slice(i + 1)) await validate(of({ kernels: [one, other], primitives }));
+    }
   });
 
-  it('a kernel that is none is refused, with its importer', async () => {
-    await expect(validate(['none'], ['point'])).rejects.toThrow('kernel.wgsl imports kernel/none');
+  it('all kernels together are valid with every mix of primitives, of sections', async () => {
+    for (const some of mixes(primitives)) await validate(of({ kernels, primitives: some }));
+    for (const some of mixes(sections))
+      await validate(of({ kernels: ['cauchy'], primitives, sections: some }));
+  });
+
+  it.each(shapes)('the shape %s is valid alone and with every operation', async (shape) => {
+    await validate(of({ shapes: [shape] }), ['points', 'colours']);
+    for (const operation of operations) {
+      await validate(of({ shapes: [shape], operations: [operation] }));
+      await validate(of({ kernels: ['cauchy'], primitives, shapes: [shape], operations: [operation] }));
+    }
+  });
+
+  it('every mix of operations is valid, and everything together', async () => {
+    for (const some of mixes(operations)) {
+      await validate(of({ kernels: ['quartic'], primitives: ['segment'], shapes, operations: some }));
+    }
+    await validate(EVERYTHING, ENTRIES);
+  });
+
+  it('stays within the limits that WebGPU promises', () => {
+    // made with no limits asked for: eight storage buffers a stage, 128 MiB bound
+    expect(device?.limits.maxStorageBuffersPerShaderStage).toBe(8);
   });
 });

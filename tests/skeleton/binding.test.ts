@@ -129,6 +129,13 @@ describe('building a field', () => {
     }
   });
 
+  it('refuses a pair without a field', () => {
+    const flat = { ...cauchy, edge: null };
+    expect(() => bindSkel(square, flat, {})).toThrow(FieldError);
+    expect(() => bindSkel(square, flat, {})).toThrow(/polygons have no field of the kernel cauchy/);
+    expect(bindSkel(segment, flat, {}).value(1, 1, 1)).toBeGreaterThan(0);
+  });
+
   it('takes loops either way round, repeats a vertex or not', () => {
     const [loop] = square.loops;
     const turned = { ...square, loops: [[...loop!].reverse()] };
@@ -211,6 +218,26 @@ describe('boxes and offsets', () => {
         expect(field.value(x, y, z) === 0).toBe(true);
       }
       expect([...out].every((x) => x === 0)).toBe(true);
+    }
+  });
+});
+
+describe('as far away as doubles go', () => {
+  it.each(kernels.map((kernel) => [kernel.name, kernel] as const))('%s is finite', (_, kernel) => {
+    for (const skel of [point, segment, square]) {
+      const field = bindSkel(skel, kernel, {});
+      for (const far of [1e12, 1e30, 1e100]) {
+        for (const [x, y, z] of [
+          [far, 2, 3],
+          [1, -far, far],
+          [-far, far, -far],
+        ] as const) {
+          const out = new Float64Array(4);
+          field.add(x, y, z, 1, out);
+          expect([...out, field.value(x, y, z)].every(Number.isFinite)).toBe(true);
+          expect(Math.abs(out[0]!)).toBeLessThan(1e-9);
+        }
+      }
     }
   });
 });

@@ -1,6 +1,7 @@
 import { describe, expect, test } from 'vitest';
 import type { Vec3 } from '../../src/math/vec.ts';
 import { clampedKnots, expandNurbs, type NurbsSkel } from '../../src/skeleton/nurbs.ts';
+import { random } from '../fixtures/random.ts';
 import { type Curve, curveField, sumField } from './curves.ts';
 
 const curve: NurbsSkel = {
@@ -23,6 +24,15 @@ const vertices = (skel: NurbsSkel): Vec3[] => {
 };
 const startWeights = (skel: NurbsSkel) => expandNurbs(skel).map(({ weights }) => weights[0]!);
 
+/** The basis function by its definition, half open. */
+function cox(knots: readonly number[], i: number, degree: number, t: number): number {
+  if (degree === 0) return knots[i]! <= t && t < knots[i + 1]! ? 1 : 0;
+  const part = (from: number, over: number, n: number) =>
+    over === 0 ? 0 : (from / over) * cox(knots, n, degree - 1, t);
+  const [a, b, c, d] = [knots[i]!, knots[i + degree]!, knots[i + 1]!, knots[i + degree + 1]!];
+  return part(t - a, b - a, i) + part(d - t, d - c, i + 1);
+}
+
 describe('NURBS skeletons', () => {
   test('density segments a span, through both ends', () => {
     const points = vertices(curve);
@@ -44,6 +54,37 @@ describe('NURBS skeletons', () => {
         expect(p[k]).toBeCloseTo(x, 13);
       });
     });
+  });
+
+  test('any knots and rational weights: the sums of Cox’s basis functions (seed 87)', () => {
+    const next = random(87);
+    for (const count of [4, 5, 7, 9]) {
+      const points = Array.from({ length: count }, (): Vec3 => [9 * next(), 9 * next(), 9 * next()]);
+      const [rational, weights] = [0, 1].map(() => points.map(() => 0.2 + 3 * next()));
+      const inner = Array.from({ length: count - 4 }, () => 0.1 + 5 * next()).sort((a, b) => a - b);
+      if (count === 9) inner[2] = inner[1]!;
+      const knots = [0, 0, 0, 0, ...inner, 6, 6, 6, 6];
+      const skel = { ...curve, points, weights: weights!, rational: rational!, knots, density: 3 };
+      const ends = [...new Set(knots)];
+      const spans = ends.slice(1).map((to, i) => [ends[i]!, to] as const);
+      const ts = spans.flatMap(([from, to]) => [0, 1, 2].map((i) => from + ((to - from) * i) / 3));
+      const found = vertices(skel);
+      ts.forEach((t, k) => {
+        const basis = points.map((_, i) => rational![i]! * cox(knots, i, 3, t));
+        const whole = basis.reduce((sum, b) => sum + b, 0);
+        const mix = (of: (i: number) => number) => basis.reduce((sum, b, i) => sum + (b / whole) * of(i), 0);
+        for (const axis of [0, 1, 2] as const) {
+          expect(found[k]![axis]).toBeCloseTo(
+            mix((i) => points[i]![axis]),
+            12,
+          );
+        }
+        expect(startWeights(skel)[k]).toBeCloseTo(
+          mix((i) => weights![i]!),
+          12,
+        );
+      });
+    }
   });
 
   test('rational weights make an exact quarter of a circle', () => {
@@ -73,9 +114,22 @@ describe('NURBS skeletons', () => {
     });
   });
 
-  test('more knots in one place make a corner there', () => {
+  test('more knots in one place make a corner there, four would tear it apart', () => {
     const points = vertices({ ...curve, knots: [0, 0, 0, 0, 1, 1, 2, 2, 2, 2], density: 4 });
     expect(points).toHaveLength(9);
+    const seven = {
+      ...curve,
+      points: [...curve.points, [11, 0, 0] as const],
+      weights: [1, 1, 1, 1, 1, 1, 1],
+    };
+    const corner = vertices({ ...seven, knots: [0, 0, 0, 0, 1, 1, 1, 2, 2, 2, 2], density: 4 });
+    expect(corner[4]).toEqual(seven.points[3]);
+    const eight = {
+      ...seven,
+      points: [...seven.points, [12, 0, 0] as const],
+      weights: [...seven.weights, 1],
+    };
+    expect(() => expandNurbs({ ...eight, knots: [0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2] })).toThrow(/tear/);
   });
 
   test('the field converges to that of the curve as 1/density²', () => {
@@ -115,6 +169,7 @@ describe('NURBS skeletons', () => {
     [{ knots: [0, 0, 0, 1, 1, 2, 3, 3, 3, 3] }, /knots/],
     [{ knots: [0, 0, 0, 0, 2, 1, 3, 3, 3, 3] }, /knots/],
     [{ knots: [0, 0, 0, 0, 1, 3, 3, 3, 3] }, /knots must be 10 numbers/],
+    [{ knots: [0, 0, 0, 0, 0, 1, 3, 3, 3, 3] }, /tear a curve apart/],
   ])('%j is refused', (change, message) => {
     expect(() => expandNurbs({ ...curve, ...change })).toThrow(message);
   });

@@ -97,6 +97,18 @@ describe('profiles along a line', () => {
     }
   });
 
+  test('even pieces along even lines leave no crumbs at the vertices (seed 82)', () => {
+    const next = random(82);
+    for (let i = 0; i < 300; i++) {
+      const [corner, step, count] = [2000 * next() - 1000, 0.1 + next(), 1 + Math.floor(7 * next())];
+      const even = Array.from({ length: count + 1 }, (_, k): Vec3 => [corner + k * step, corner, -corner]);
+      const ordinates = Array.from({ length: 3 * count + 1 }, () => 1);
+      const segments = expandProfile({ type: 'profile', points: even, curve: { type: 'bezier', ordinates } });
+      expect(segments).toHaveLength(count);
+      for (const { a, b } of segments) expect(b[0] - a[0]).toBeCloseTo(step, 9);
+    }
+  });
+
   test('pieces follow each other without gaps', () => {
     const segments = expandProfile({ type: 'profile', points, curve: { type: 'keys', keys } });
     expect(segments).toHaveLength(4);

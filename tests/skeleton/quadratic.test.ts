@@ -126,6 +126,16 @@ describe('quadratic splines', () => {
     [{ weights: [1] }, /at least 3/],
     [{ fieldError: -1 }, /fieldError/],
     [{ fieldError: 1e-13 }, /more than 4096 chords/],
+    [{ weights: [1, Number.NaN, 1] }, /weights of a spline must be finite numbers, found NaN/],
+    // the pieces are straight, so that only their masses cannot be met: the error named is the one that was asked for
+    [
+      {
+        points: [0, 1, 4, 4, 4].map((x) => [x, 0, 0] as const),
+        weights: [1e9, 1e9, 0],
+        fieldError: 1e-12,
+      },
+      /fieldError 1e-12 needs more/,
+    ],
     [{ points: spline.points.map(() => [1, 1, 1] as const) }, /apart/],
   ])('%j is refused', (change, message) => {
     expect(() => expandQuadratic({ ...spline, ...change }, kernelNamed('cauchy')!, { s: 1 })).toThrow(

@@ -20,8 +20,23 @@ const filters = {
 } as const;
 type Name = keyof typeof filters;
 
+interface Gain {
+  readonly curve: number;
+  readonly controls: number;
+}
+
+const known = new Map<string, Gain>();
+
+/** Of one filter, level and seed: made once. */
+function gain(name: Name, levels: number, seed: number): Gain {
+  const key = `${name} ${levels} ${seed}`;
+  const found = known.get(key) ?? freshGain(name, levels, seed);
+  known.set(key, found);
+  return found;
+}
+
 /** The filters are linear: filtered noise is the deviation from the filtered clean stroke. */
-function gain(name: Name, levels: number, seed: number): { curve: number; controls: number } {
+function freshGain(name: Name, levels: number, seed: number): Gain {
   const { degree, fit } = filters[name];
   const n = normal(seed);
   const fine = Array.from({ length: fineCount(CONTROLS, degree, false, levels) }, (): Vec2 => [n(), n()]);

@@ -1,0 +1,98 @@
+/** The field page: a body at first sight, sliders that change it, errors in words, the fallback, accessibility. */
+import AxeBuilder from '@axe-core/playwright';
+import { expect, type Page, test } from '@playwright/test';
+import { readPicture } from '../picture.ts';
+
+/** what a software adapter and two cores make in no time */
+const COARSE = '#resolution=32';
+
+async function open(page: Page, address: string): Promise<void> {
+  await page.goto(address);
+  await expect(page.locator('rotund-field')).toHaveAttribute('data-backend', /WebG/);
+  await expect(page.getByRole('status')).toHaveText('Body made');
+}
+
+/** Triangles and problem of what is shown. */
+const body = (page: Page) =>
+  page.evaluate(() => {
+    const { made, problem } = document.querySelector('rotund-field')!.body;
+    return { triangles: (made?.mesh.indices.length ?? 0) / 3, problem };
+  });
+
+/** Share of the free picture that is neither paper nor grey: orange fur. */
+async function coloured(page: Page): Promise<number> {
+  await page.evaluate(async () => {
+    document.querySelector('rotund-field')!.stage.wake();
+    await new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
+  });
+  const picture = readPicture(await page.screenshot({ clip: { x: 0, y: 80, width: 440, height: 420 } }));
+  let found = 0;
+  for (let x = 0; x < 440; x += 4) {
+    for (let y = 0; y < 420; y += 4) {
+      const [red, , blue] = picture.at(x, y);
+      if (red - blue > 60) found++;
+    }
+  }
+  return found / (110 * 105);
+}
+
+test('a body appears in colour, a slider changes it, the address keeps it', async ({ page }) => {
+  await open(page, `/field.html${COARSE}`);
+  const first = await body(page);
+  expect(first.triangles).toBeGreaterThan(3000);
+  const orange = await coloured(page);
+  expect(orange).toBeGreaterThan(0.05);
+
+  const radius = page.getByRole('slider', { name: 'Radius', exact: true }).first();
+  await radius.focus();
+  for (let i = 0; i < 12; i++) await radius.press('ArrowRight');
+  await expect(page.getByRole('status')).toHaveText('Body made');
+  await expect.poll(async () => (await body(page)).triangles).not.toBe(first.triangles);
+  expect(await coloured(page)).toBeGreaterThan(1.1 * orange);
+
+  await expect.poll(() => page.evaluate(() => location.hash)).toMatch(/^#radius=\d/);
+  await radius.dblclick();
+  await expect.poll(() => page.evaluate(() => location.hash)).toBe(COARSE);
+  await expect.poll(async () => (await body(page)).triangles).toBe(first.triangles);
+});
+
+test('on the graphics device it is the same body', async ({ page }) => {
+  await open(page, `/field.html${COARSE}`);
+  const { triangles } = await body(page);
+  await page.getByRole('radio', { name: 'GPU' }).click();
+  await expect(page.locator('.status')).toContainText('GPU float32, off by');
+  expect((await body(page)).triangles).toBe(triangles);
+  const difference = await page.evaluate(() => document.querySelector('rotund-field')!.body.difference);
+  expect(difference).toBeLessThan(1e-4);
+});
+
+test('what has no field is told, and the last body stays', async ({ page }) => {
+  await open(page, '/field.html#skeleton=segment&kernel=nonsense');
+  await expect(page.getByRole('alert')).toContainText('found “nonsense”');
+  await page.getByRole('radio', { name: 'Segment' }).click();
+  await expect(page.getByRole('alert')).toHaveCount(0);
+  await expect(page.getByRole('status')).toHaveText('Body made');
+  const { triangles } = await body(page);
+  const threshold = page.getByRole('slider', { name: 'Threshold T' });
+  await threshold.focus();
+  await threshold.press('Home');
+  await expect(page.getByRole('alert')).toContainText('threshold must be above 0');
+  await expect(page.getByRole('status')).toHaveText('Not made. The last body stays');
+  expect((await body(page)).triangles).toBe(triangles);
+  await page.getByRole('button', { name: 'Reset everything' }).click();
+  await expect(page.getByRole('alert')).toHaveCount(0);
+});
+
+test('without WebGPU, on a phone, in the dark: the same body, and nothing axe would say', async ({
+  page,
+}) => {
+  await page.setViewportSize({ width: 390, height: 844 });
+  await page.emulateMedia({ colorScheme: 'dark', reducedMotion: 'reduce' });
+  await open(page, '/field.html?backend=webgl2#skeleton=crossed&operation=union&resolution=40');
+  await expect(page.locator('.status')).toContainText('WebGL2, slower');
+  expect((await body(page)).triangles).toBeGreaterThan(5000);
+  const { violations } = await new AxeBuilder({ page }).analyze();
+  expect(violations).toEqual([]);
+  await page.getByRole('button', { name: 'Hide the controls' }).click();
+  await expect(page.getByRole('slider').first()).toBeHidden();
+});

@@ -1,0 +1,75 @@
+/** What floats around the picture of the field page: top bar, dock, status line, notice. */
+import { html, nothing, type TemplateResult } from 'lit';
+import { iconButton, roving } from '../controls.ts';
+import { ball, icon, wordmark } from '../icons.ts';
+import type { FieldBody } from './fieldBody.ts';
+import { CHOICES } from './fieldState.ts';
+import { FIELD_WORDS } from './fieldWords.ts';
+import { controls } from './panel.ts';
+import type { Desk } from './rows.ts';
+
+export interface Page extends Desk {
+  readonly body: FieldBody;
+  readonly dataset: DOMStringMap;
+  readonly folded: boolean;
+  /** a passing word of the status line */
+  readonly said: string;
+  fold(): void;
+  reset(): void;
+  copy(): Promise<void>;
+}
+
+/** colour of the styles' lit balls */
+const BALL = '#dd7f36';
+
+export function topBar(page: Page): TemplateResult {
+  return html`<div class="top">
+    <div class="tray card title">${wordmark}<b>${FIELD_WORDS.title}</b></div>
+    <div class="tray card" role="radiogroup" aria-label="Style" @keydown=${roving}>
+      ${CHOICES.style.options.map(([id, name]) => {
+        const chosen = page.state.style === id;
+        return html`<button class="style" role="radio" aria-label=${name} title=${name} aria-checked=${chosen} tabindex=${chosen ? 0 : -1}
+          @click=${() => page.set({ style: id })}>${ball(id, BALL)}<span>${name}</span></button>`;
+      })}
+    </div>
+  </div>`;
+}
+
+/** Beside the picture; on narrow pages a sheet that folds. */
+export function dock(page: Page): TemplateResult {
+  const { folded } = page;
+  const name = folded ? 'Show the controls' : 'Hide the controls';
+  return html`<aside class="dock card ${folded ? 'folded' : ''}" aria-label="Controls">
+    <header>
+      <h2>Body</h2>
+      ${iconButton('home', 'Reset everything', () => page.reset())}
+      ${iconButton('duplicate', 'Copy the tree as JSON', () => void page.copy())}
+      ${iconButton('down', name, () => page.fold(), { class: 'fold', expanded: !folded })}
+    </header>
+    <div class="scroll">${controls(page, page.body.canUseGpu)}</div>
+  </aside>`;
+}
+
+/** Line 1: the last event. Line 2: the picture and what is in it. Line 3: where it was evaluated, and what that took. */
+export function statusLine({ body, dataset, said, state }: Page): TemplateResult {
+  const { made, progress } = body;
+  const { backend } = dataset;
+  const picture = backend === 'WebGL2' ? FIELD_WORDS.webgl2 : (backend ?? FIELD_WORDS.loading);
+  const difference = state.where === 'gpu' ? body.difference : null;
+  return html`<div class="status">
+    <div class="bar ${progress === null ? '' : 'on'}"><i style="width:${100 * (progress ?? 0)}%"></i></div>
+    <span role="status" aria-live="polite"><b>${said || settled(body)}</b></span>
+    <span><i class="dot ${backend === 'WebGPU' ? '' : 'slow'}"></i>${picture}${made ? ` · ${FIELD_WORDS.facts(made)}` : nothing}</span>
+    ${made ? html`<span>${FIELD_WORDS.work(made, difference)}</span>` : nothing}
+  </div>`;
+}
+
+function settled({ made, problem }: FieldBody): string {
+  if (problem) return made ? FIELD_WORDS.kept : FIELD_WORDS.none;
+  return made && !made.draft ? FIELD_WORDS.body(made) : FIELD_WORDS.making;
+}
+
+export function notice(problem: string | null): TemplateResult | typeof nothing {
+  if (!problem) return nothing;
+  return html`<div class="notice card" role="alert">${icon('warn')}<span>${problem}</span></div>`;
+}

@@ -1,0 +1,142 @@
+/** The picture of the field page: one painted part, its camera, and frames only when something moved. */
+import type { FieldMesh } from '../../field/latticeMesh.ts';
+import { cos, PI, sin } from '../../math/trig.ts';
+import type { Quat } from '../../math/vec.ts';
+import { bounds } from '../../mesh/measure.ts';
+import type { Box } from '../../mesh/mesh.ts';
+import type { Look, Scene } from '../../scene/index.ts';
+import { FRONT_VIEW, type Margins } from '../../scene/view.ts';
+import type { View } from '../../stroke/stroke.ts';
+
+/** From the right and a little above: degrees. */
+const [YAW, PITCH] = [32, -14];
+
+function turned(yaw: number, pitch: number): Quat {
+  const half = PI / 360;
+  const [cy, sy, cx, sx] = [cos(yaw * half), sin(yaw * half), cos(pitch * half), sin(pitch * half)];
+  return [cy * sx, sy * cx, -sy * sx, cy * cx];
+}
+
+/** Where the page looks from at first. */
+export const FIRST_VIEW: View = { ...FRONT_VIEW, rotation: turned(YAW, PITCH) };
+
+/** as many times as large as what the picture was fitted to */
+const OUTGROWN = 1.8;
+
+const longest = ({ min, max }: Box): number => Math.max(max[0] - min[0], max[1] - min[1], max[2] - min[2]);
+
+export class FieldStage {
+  scene: Scene | null = null;
+  /** of the picture, that the controls cover */
+  margins = (): Margins => ({ left: 0.1, top: 0.1, right: 0.1, bottom: 0.1 });
+  readonly #drawn: () => void;
+  #mesh: FieldMesh | null = null;
+  #box: Box | null = null;
+  /** mm, of the longest side of what was fitted last */
+  #fitted = 1;
+  #view: View = FIRST_VIEW;
+  #look: Look;
+  #size = { width: 1, height: 1, ratio: 1 };
+  #fit = true;
+  #frame = 0;
+  #last = 0;
+
+  /** `drawn` is called after each frame. */
+  constructor(look: Look, drawn: () => void) {
+    this.#look = look;
+    this.#drawn = drawn;
+  }
+
+  get view(): View {
+    return this.scene?.rig.view() ?? this.#view;
+  }
+
+  get look(): Look {
+    return this.#look;
+  }
+
+  attach(scene: Scene, reducedMotion: boolean): void {
+    this.scene = scene;
+    scene.rig.reducedMotion = reducedMotion;
+    scene.rig.setView(this.#view, false);
+    scene.setLook(this.#look);
+    scene.resize(this.#size.width, this.#size.height, this.#size.ratio);
+    this.#sync();
+  }
+
+  detach(): void {
+    cancelAnimationFrame(this.#frame);
+    this.#frame = 0;
+    this.#view = this.view;
+    this.scene?.dispose();
+    this.scene = null;
+  }
+
+  setLook(change: Partial<Look>): void {
+    this.#look = { ...this.#look, ...change };
+    this.scene?.setLook(this.#look);
+    this.wake();
+  }
+
+  /** CSS pixels, and device pixels a CSS pixel. */
+  resize(width: number, height: number, ratio: number): void {
+    this.#size = { width, height, ratio };
+    this.scene?.resize(width, height, ratio);
+    this.wake();
+  }
+
+  /** `fit`: it is to fill the picture. False where it is there already. */
+  show(mesh: FieldMesh, fit: boolean): boolean {
+    if (mesh === this.#mesh) return false;
+    this.#mesh = mesh;
+    this.#box = mesh.indices.length > 0 ? bounds(mesh) : null;
+    this.#fit ||= fit || this.#outgrown;
+    this.#sync();
+    return true;
+  }
+
+  showAll(animate: boolean): void {
+    if (this.#box) {
+      this.scene?.rig.fit(this.#box, animate, this.margins());
+      this.#fitted = longest(this.#box);
+    }
+    this.wake();
+  }
+
+  /** Too large for the picture it was fitted into, or a dot in it. */
+  get #outgrown(): boolean {
+    const share = this.#box ? longest(this.#box) / this.#fitted : 1;
+    return share > OUTGROWN || share < 1 / OUTGROWN;
+  }
+
+  /** Back to where one looked from at first, with all of the body in the picture. */
+  reset(): void {
+    this.scene?.rig.setView({ ...FIRST_VIEW, fov: this.view.fov }, false);
+    this.showAll(false);
+  }
+
+  wake(): void {
+    if (this.scene) this.#frame ||= requestAnimationFrame((now) => this.#tick(now));
+  }
+
+  #sync(): void {
+    const mesh = this.#mesh;
+    const items = mesh && this.#box ? [{ id: 'body', mesh, colour: '#a5a29a', preview: false }] : [];
+    this.scene?.sync(items);
+    if (this.#fit && this.scene && this.#box && this.#size.width > 1) {
+      this.#fit = false;
+      this.showAll(false);
+    }
+    this.wake();
+  }
+
+  #tick(now: number): void {
+    this.#frame = 0;
+    const seconds = Math.min(0.1, (now - this.#last) / 1000);
+    this.#last = now;
+    const moving = this.scene?.rig.update(seconds) ?? false;
+    this.scene?.render();
+    this.#drawn();
+    if (moving) this.wake();
+  }
+}

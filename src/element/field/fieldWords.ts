@@ -1,0 +1,35 @@
+/** The words of the field page. */
+import type { Made } from '../../field/fieldWork.ts';
+import { nodeCount } from '../../field/lattice.ts';
+
+const count = (value: number): string => {
+  if (value < 10_000) return String(value);
+  return value < 1e6 ? `${Math.round(value / 1000)} k` : `${(value / 1e6).toFixed(1)} M`;
+};
+
+export const FIELD_WORDS = {
+  title: 'Field',
+  making: 'Making the body',
+  body: (made: Made) =>
+    made.mesh.indices.length === 0 ? 'Nothing is inside: the body is empty' : 'Body made',
+  kept: 'Not made. The last body stays',
+  none: 'Not made',
+  facts: ({ mesh }: Made) =>
+    `${count(mesh.indices.length / 3)} triangles · ${count(mesh.positions.length / 3)} vertices`,
+  work: ({ evaluations, lattice, milliseconds }: Made, difference: number | null) => {
+    const all = difference === null ? evaluations : evaluations + nodeCount(lattice);
+    const where =
+      difference === null ? 'CPU float64' : `GPU float32, off by ${difference.toExponential(1)} at most`;
+    return `${where} · ${Math.max(1, Math.round(milliseconds))} ms · ${count(all)} evaluations`;
+  },
+  webgl2: 'WebGL2, slower',
+  loading: 'Preparing the picture',
+  badAddress: (problem: string) => `The address was not understood: ${problem}. These are the defaults.`,
+  reset: 'Everything as at first',
+  copied: 'Tree copied as JSON',
+  notCopied: 'The browser did not let the tree be copied',
+  nothingToCopy: 'There is no tree to copy',
+  lost: 'The graphics device was lost. The picture comes back.',
+  label: (made: Made | null) =>
+    made ? `Body of a field. ${count(made.mesh.indices.length / 3)} triangles` : 'Body of a field',
+} as const;

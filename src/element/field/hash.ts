@@ -1,0 +1,54 @@
+/** The state in the address: what differs from the defaults, by name. What is read there is checked like a file. */
+import {
+  CHOICE_KEYS,
+  CHOICES,
+  type ChoiceSpec,
+  DEFAULT_STATE,
+  type FieldState,
+  NUMBER_KEYS,
+  NUMBERS,
+  type NumberSpec,
+} from './fieldState.ts';
+
+export interface FromHash {
+  readonly state: FieldState;
+  /** what is wrong with the address, in words; the state is the default one then */
+  readonly problem: string | null;
+}
+
+/** "#kernel=quartic&radius=20"; nothing for the default state. */
+export function toHash(state: FieldState): string {
+  const entries = [...CHOICE_KEYS, ...NUMBER_KEYS]
+    .filter((key) => state[key] !== DEFAULT_STATE[key])
+    .map((key) => [key, String(state[key])]);
+  return entries.length > 0 ? `#${new URLSearchParams(entries)}` : '';
+}
+
+export function fromHash(hash: string): FromHash {
+  const state: Record<string, number | string> = { ...DEFAULT_STATE };
+  for (const [key, text] of new URLSearchParams(hash.replace(/^#/, ''))) {
+    const problem = read(state, key, text);
+    if (problem) return { state: DEFAULT_STATE, problem };
+  }
+  return { state: state as unknown as FieldState, problem: null };
+}
+
+function read(state: Record<string, number | string>, key: string, text: string): string | null {
+  if (Object.hasOwn(CHOICES, key)) {
+    const { options }: ChoiceSpec = CHOICES[key as keyof typeof CHOICES];
+    const ids = options.map(([id]) => id);
+    if (!ids.includes(text)) return `${key} is one of ${ids.join(', ')}; found ${shown(text)}`;
+    state[key] = text;
+    return null;
+  }
+  if (!Object.hasOwn(NUMBERS, key)) return `nothing here is called ${shown(key)}`;
+  const { min, max }: NumberSpec = NUMBERS[key as keyof typeof NUMBERS];
+  const value = text.trim() === '' ? Number.NaN : Number(text);
+  if (!(value >= min && value <= max))
+    return `${key} is a number from ${min} to ${max}; found ${shown(text)}`;
+  state[key] = value;
+  return null;
+}
+
+/** Of what strangers wrote, no more than a line holds. */
+const shown = (text: string): string => `“${text.length > 24 ? `${text.slice(0, 24)}…` : text}”`;

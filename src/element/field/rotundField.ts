@@ -1,0 +1,299 @@
+/**
+ * `<rotund-field>`: a page for developers of fields. Every number and choice of the field core has a control; the body is made
+ * beside the page and drawn by the application's own scene. The state is in the address.
+ */
+import { html, LitElement, type PropertyDeclarations, type PropertyValues, type TemplateResult } from 'lit';
+import { DEFAULT_LOOK, type Style } from '../../document/look.ts';
+import type { Scene } from '../../scene/index.ts';
+import { isDark } from '../../scene/look.ts';
+import { messageOf } from '../events.ts';
+import { layout } from '../layout.ts';
+import { PointerRouter } from '../pointer.ts';
+import { type BackendChoice, SceneLife, type SceneOwner } from '../sceneLife.ts';
+import { PAPER_OF, reducedMotion, themeOf, watchPixelRatio, watchSystem } from '../theme.ts';
+import { tokens } from '../tokens.ts';
+import { viewBall } from '../viewBall.ts';
+import { NO_PICTURE } from '../words.ts';
+import { dock, notice, statusLine, topBar } from './chrome.ts';
+import { FieldBody } from './fieldBody.ts';
+import { FieldHands } from './fieldHands.ts';
+import { fieldLayout } from './fieldLayout.ts';
+import { FieldStage } from './fieldStage.ts';
+import { CHOICES, DEFAULT_STATE, type FieldState } from './fieldState.ts';
+import { FIELD_WORDS } from './fieldWords.ts';
+import { fromHash, toHash } from './hash.ts';
+import { treeOf } from './tree.ts';
+
+/** ms without a change until the address is written: browsers refuse more than a hundred in half a minute */
+const SETTLED = 250;
+
+export class RotundField extends LitElement {
+  static override styles = [tokens, layout, fieldLayout];
+  static override properties: PropertyDeclarations = {
+    theme: {},
+    state: { attribute: false },
+    folded: { state: true },
+  };
+
+  /** light, dark or contrast; the system's when it is none of them */
+  declare theme: string | null;
+  declare state: FieldState;
+  /** the sheet of narrow pages shows its title only */
+  declare folded: boolean;
+  backend: BackendChoice = 'auto';
+  readonly body = new FieldBody(() => this.#heard());
+  readonly stage = new FieldStage(DEFAULT_LOOK, () => this.#drawn());
+  readonly #hands = new FieldHands(this.#host());
+  readonly #life = new SceneLife(this.#owner());
+  #stop = new AbortController();
+  #viewKey = '';
+  #writing: ReturnType<typeof setTimeout> | undefined;
+  /** the next body is to fill the picture */
+  #fitNext = true;
+  /** a passing word of the status line */
+  said = '';
+  /** what is wrong with the address */
+  #badAddress: string | null = null;
+  #noPicture: string | null = null;
+
+  constructor() {
+    super();
+    this.theme = null;
+    this.state = DEFAULT_STATE;
+    this.folded = false;
+  }
+
+  // ── life ────────────────────────────────────────────────────────────────────────────────────────────
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    this.#stop = new AbortController();
+    const { signal } = this.#stop;
+    this.#readAddress();
+    watchSystem(() => this.#adapt(), signal);
+    watchPixelRatio(() => this.#resize(), signal);
+    window.addEventListener('hashchange', () => this.#addressChanged(), { signal });
+    void this.updateComplete.then(() => this.isConnected && this.#start(signal));
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    this.#stop.abort();
+    clearTimeout(this.#writing);
+    this.#life.close();
+    this.stage.detach();
+    this.body.stop();
+  }
+
+  #start(signal: AbortSignal): void {
+    const stage = this.#find<HTMLElement>('.stage');
+    const router = new PointerRouter(stage, this.#hands.target());
+    const sizes = new ResizeObserver(() => this.#resize());
+    sizes.observe(stage);
+    signal.addEventListener('abort', () => {
+      router.dispose();
+      sizes.disconnect();
+    });
+    stage.addEventListener('keydown', (event) => this.#hands.key(event), { signal });
+    this.stage.margins = () => this.#margins();
+    this.#adapt();
+    this.#resize();
+    this.#make();
+    void this.#life.open();
+  }
+
+  #owner(): SceneOwner {
+    const field = this;
+    return {
+      canvas: () => this.#find<HTMLCanvasElement>('.picture'),
+      freshCanvas: () => {
+        const old = this.#find<HTMLCanvasElement>('.picture');
+        old.replaceWith(old.cloneNode());
+      },
+      get backend() {
+        return field.backend;
+      },
+      fine: false,
+      show: (scene) => this.#show(scene),
+      lose: () => {
+        this.body.device = null;
+        this.stage.detach();
+        this.#say(FIELD_WORDS.lost);
+      },
+      withoutScene: (error) => {
+        this.dataset.backend = 'none';
+        this.#noPicture = messageOf(error);
+        this.requestUpdate();
+      },
+    };
+  }
+
+  #show(scene: Scene): void {
+    this.dataset.backend = scene.backend;
+    this.#noPicture = null;
+    if (this.said === FIELD_WORDS.lost) this.said = '';
+    this.stage.attach(scene, reducedMotion());
+    this.body.device = scene.device;
+    if (this.state.where === 'gpu') this.#make();
+    this.requestUpdate();
+  }
+
+  #adapt(): void {
+    const theme = themeOf(this.theme);
+    this.dataset.theme = theme;
+    if (this.stage.scene) this.stage.scene.rig.reducedMotion = reducedMotion();
+    this.stage.setLook({ ...PAPER_OF[theme], style: this.state.style as Style });
+    this.requestUpdate();
+  }
+
+  #resize(): void {
+    const { clientWidth: width, clientHeight: height } = this;
+    if (width > 0 && height > 0) this.stage.resize(width, height, devicePixelRatio);
+  }
+
+  /** The picture that is left between the controls. */
+  #margins() {
+    const { clientWidth: width, clientHeight: height } = this;
+    const dock = this.#find<HTMLElement>('.dock');
+    const narrow = dock.clientWidth > width / 2;
+    const right = narrow ? 0.06 : (dock.clientWidth + 48) / width;
+    const bottom = narrow ? Math.min((dock.clientHeight + 76) / height, 0.62) : 0.14;
+    return {
+      left: narrow ? 0.06 : 0.05,
+      top: Math.min(92 / height, 0.2),
+      right: Math.min(right, 0.5),
+      bottom,
+    };
+  }
+
+  #host() {
+    const field = this;
+    return {
+      get rig() {
+        return field.stage.scene?.rig ?? null;
+      },
+      wake: () => this.stage.wake(),
+      showAll: (animate: boolean) => this.stage.showAll(animate),
+      reset: () => this.stage.reset(),
+      toggleWires: () => this.stage.setLook({ wireframe: !this.stage.look.wireframe }),
+      setStyle: (number: number) => {
+        const style = CHOICES.style.options[number - 1];
+        if (style) this.set({ style: style[0] });
+        return style !== undefined;
+      },
+    };
+  }
+
+  // ── state ───────────────────────────────────────────────────────────────────────────────────────────
+
+  set(change: Partial<FieldState>): void {
+    const before = this.state;
+    this.state = { ...before, ...change } as FieldState;
+    this.#badAddress = null;
+    this.said = '';
+    clearTimeout(this.#writing);
+    this.#writing = setTimeout(() => this.#writeAddress(), SETTLED);
+    this.#changed(before);
+  }
+
+  #changed(before: FieldState): void {
+    if (before.style !== this.state.style) this.stage.setLook({ style: this.state.style as Style });
+    if (before.skeleton !== this.state.skeleton) this.#fitNext = true;
+    const { style: _, ...rest } = this.state;
+    if (Object.entries(rest).some(([key, value]) => before[key as keyof FieldState] !== value)) this.#make();
+  }
+
+  #make(): void {
+    const { state } = this;
+    this.body.make(() => treeOf(state), state.resolution, state.where === 'gpu');
+  }
+
+  #writeAddress(): void {
+    const address = toHash(this.state) || location.pathname + location.search;
+    history.replaceState(history.state, '', address);
+  }
+
+  #readAddress(): void {
+    const { state, problem } = fromHash(location.hash);
+    this.state = state;
+    this.#badAddress = problem;
+  }
+
+  #addressChanged(): void {
+    const before = this.state;
+    this.#readAddress();
+    this.#changed(before);
+  }
+
+  #heard(): void {
+    const { made } = this.body;
+    // a draft may lack what is thin: what comes after it is fitted once more
+    if (made && this.stage.show(made.mesh, this.#fitNext) && !made.draft) this.#fitNext = false;
+    this.requestUpdate();
+  }
+
+  #drawn(): void {
+    const key = JSON.stringify(this.stage.view.rotation);
+    if (key === this.#viewKey) return;
+    this.#viewKey = key;
+    this.requestUpdate();
+  }
+
+  #say(words: string): void {
+    this.said = words;
+    this.requestUpdate();
+  }
+
+  async copy(): Promise<void> {
+    try {
+      const text = JSON.stringify(treeOf(this.state), null, 2);
+      await navigator.clipboard.writeText(text).then(
+        () => this.#say(FIELD_WORDS.copied),
+        () => this.#say(FIELD_WORDS.notCopied),
+      );
+    } catch {
+      this.#say(FIELD_WORDS.nothingToCopy);
+    }
+  }
+
+  reset(): void {
+    const { style, where } = this.state;
+    this.set({ ...DEFAULT_STATE, style, where });
+    this.stage.reset();
+    this.#say(FIELD_WORDS.reset);
+  }
+
+  fold(): void {
+    this.folded = !this.folded;
+    void this.updateComplete.then(() => this.stage.showAll(true));
+  }
+
+  /** In words: there is no picture, no body, or no sense in the address. */
+  get problem(): string | null {
+    if (this.#noPicture !== null) return `${NO_PICTURE.missing} ${NO_PICTURE.why(this.#noPicture)}`;
+    return this.body.problem ?? (this.#badAddress && FIELD_WORDS.badAddress(this.#badAddress));
+  }
+
+  // ── drawing ─────────────────────────────────────────────────────────────────────────────────────────
+
+  protected override render(): TemplateResult {
+    const { made } = this.body;
+    return html`<div class="app ${isDark(this.stage.look.background) ? 'on-dark' : ''}">
+      <div class="stage" role="application" tabindex="0" aria-label=${FIELD_WORDS.label(made)} aria-describedby="keys">
+        <canvas class="picture"></canvas>
+      </div>
+      <span id="keys" class="hidden">Arrow keys turn, plus and minus zoom, Home shows everything, 1 to 4 are styles, W shows the triangles.</span>
+      ${topBar(this)} ${dock(this)} ${statusLine(this)} ${viewBall(this.stage.view, this.#hands.ball())} ${notice(this.problem)}
+    </div>`;
+  }
+
+  protected override updated(changed: PropertyValues): void {
+    if (changed.has('theme') && changed.get('theme') !== undefined) this.#adapt();
+  }
+
+  #find<T extends Element>(selector: string): T {
+    const found = this.renderRoot.querySelector<T>(selector);
+    if (!found) throw new Error(`rotund-field: its own ${selector} is missing`);
+    return found;
+  }
+}

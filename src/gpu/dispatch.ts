@@ -1,0 +1,92 @@
+/** A field evaluated at a list of points: bytes up, one thread a point, bytes back; large lists in several dispatches. */
+import type { FieldPipelines } from './pipelines.ts';
+
+/** The numbers of the standard, whose names are globals of browsers only. */
+const USAGE = { mapRead: 0x1, copySource: 0x4, copyTarget: 0x8, storage: 0x80 } as const;
+const MAP_READ = 0x1;
+
+/** points of one dispatch: 16 MiB a buffer, and 16 384 of the 65 535 workgroups that every device has */
+export const BATCH = 1 << 20;
+const WORKGROUP = 64;
+/** bytes that every device binds */
+const MOST = 1 << 27;
+
+/** The records of a field where the device reads them. */
+export interface Bound {
+  readonly pipelines: FieldPipelines;
+  readonly group: GPUBindGroup;
+  destroy(): void;
+}
+
+/** Throws a RangeError for more records than every device binds. */
+export function bindRecords(device: GPUDevice, pipelines: FieldPipelines, records: ArrayBuffer): Bound {
+  const buffer = upload(device, 'records', records);
+  const entries = [{ binding: 0, resource: { buffer } }];
+  const group = device.createBindGroup({ label: 'records', layout: pipelines.field, entries });
+  return { pipelines, group, destroy: () => buffer.destroy() };
+}
+
+/** Four numbers a point (x, y, z, x, …); any number of points, none included. */
+export async function dispatch(
+  device: GPUDevice,
+  bound: Bound,
+  pipeline: GPUComputePipeline,
+  points: Float32Array,
+): Promise<Float32Array> {
+  const count = points.length / 3;
+  const values = new Float32Array(4 * count);
+  for (let start = 0; start < count; start += BATCH) {
+    const batch = points.subarray(3 * start, 3 * Math.min(count, start + BATCH));
+    values.set(await dispatchBatch(device, bound, pipeline, batch), 4 * start);
+  }
+  return values;
+}
+
+async function dispatchBatch(
+  device: GPUDevice,
+  bound: Bound,
+  pipeline: GPUComputePipeline,
+  points: Float32Array,
+): Promise<Float32Array> {
+  const count = points.length / 3;
+  const places = upload(device, 'points', fourWide(points));
+  const size = 16 * count;
+  const values = device.createBuffer({ label: 'values', size, usage: USAGE.storage | USAGE.copySource });
+  const readable = device.createBuffer({
+    label: 'values, read back',
+    size,
+    usage: USAGE.mapRead | USAGE.copyTarget,
+  });
+  const encoder = device.createCommandEncoder({ label: pipeline.label });
+  const pass = encoder.beginComputePass({ label: pipeline.label });
+  const entries = [places, values].map((buffer, binding) => ({ binding, resource: { buffer } }));
+  pass.setPipeline(pipeline);
+  pass.setBindGroup(
+    0,
+    device.createBindGroup({ label: 'points and values', layout: bound.pipelines.pass, entries }),
+  );
+  pass.setBindGroup(1, bound.group);
+  pass.dispatchWorkgroups(Math.ceil(count / WORKGROUP));
+  pass.end();
+  encoder.copyBufferToBuffer(values, 0, readable, 0, size);
+  device.queue.submit([encoder.finish()]);
+  await readable.mapAsync(MAP_READ);
+  const result = new Float32Array(readable.getMappedRange().slice(0));
+  for (const buffer of [places, values, readable]) buffer.destroy();
+  return result;
+}
+
+function upload(device: GPUDevice, label: string, data: ArrayBuffer): GPUBuffer {
+  const size = data.byteLength;
+  if (size > MOST) throw new RangeError(`${label}: ${size} bytes are more than every device binds (${MOST})`);
+  const buffer = device.createBuffer({ label, size, usage: USAGE.storage | USAGE.copyTarget });
+  device.queue.writeBuffer(buffer, 0, data);
+  return buffer;
+}
+
+/** x, y, z, and a fourth that nobody reads: WGSL's vec3f would be as wide. */
+function fourWide(points: Float32Array): ArrayBuffer {
+  const wide = new Float32Array((points.length / 3) * 4);
+  for (let i = 0, k = 0; i < points.length; i += 3, k += 4) wide.set(points.subarray(i, i + 3), k);
+  return wide.buffer;
+}

@@ -1,0 +1,156 @@
+/**
+ * A field tree as a flat program: steps in the order of evaluation, so that a tree of any form runs in one pipeline.
+ *
+ * A step takes a leaf and joins it to the result so far; only a subtree on the right of an operation puts that aside. The
+ * heavier operand comes first (Sethi & Ullman 1970), so that n leaves need log₂ n places on the stack at most.
+ *
+ * Tried instead: straight-line WGSL generated for each structure (tests/bench/straightTree.ts). It is 5–35 % faster once it
+ * runs, and compiles again whenever a part comes or goes: with 32 bodies 11 s on SwiftShader and over two minutes on
+ * lavapipe, where the program takes a third to two thirds of a second, once (docs/performance.md).
+ */
+import { type Affine, composed, IDENTITY, inverted, stretches } from '../field/affine.ts';
+import { bindField, PLAIN } from '../field/bind.ts';
+import type { FieldNode, SetNode, ShapeNode } from '../field/node.ts';
+import type { RecordValue } from '../math/record.ts';
+import { kindOf } from '../shape/index.ts';
+import { Heap } from './heap.ts';
+import { type Ingredients, type Named, noIngredients, numberOf } from './ingredients.ts';
+import { PLACE, PROGRAM, SHAPE, STEP } from './structs.ts';
+import { addSum } from './sum.ts';
+
+/** Where a step has its value from. */
+export const TAKE = { SUM: 0, SHAPE: 1, STACK: 2 } as const;
+/** What becomes of it: the first result, a result that puts the one before aside, an operand. */
+export const ROLE = { FIRST: 0, PUSH: 1, JOIN: 2 } as const;
+/** places: enough for 2¹⁶ leaves */
+export const STACK = 16;
+
+export interface Program {
+  readonly records: ArrayBuffer;
+  readonly ingredients: Ingredients;
+  /** what lies in the records, for who wants to look */
+  readonly steps: readonly Step[];
+}
+
+/** The program of a tree; throws FieldError for what bindField refuses. */
+export function programOf(node: FieldNode): Program {
+  bindField(node);
+  const heap = new Heap();
+  const program = heap.add(PROGRAM, { first: 0, end: 0 });
+  const writer: Writer = { heap, used: noIngredients() };
+  const { steps } = write(writer, node, IDENTITY);
+  const first = heap.next;
+  for (const step of steps) heap.add(STEP, step);
+  heap.put(PROGRAM, program, { first, end: heap.next });
+  return { records: heap.bytes(), ingredients: writer.used, steps };
+}
+
+export interface Writer {
+  readonly heap: Heap;
+  readonly used: ReturnType<typeof noIngredients>;
+}
+
+export type Step = RecordValue<(typeof STEP)['members']>;
+
+interface Code {
+  readonly steps: Step[];
+  /** places on the stack, the result's own included; none for a lone leaf */
+  readonly weight: number;
+}
+
+/** An operation as steps know it. */
+type Join = Pick<Step, 'operation' | 'amounts' | 'outer' | 'sign'>;
+
+function write(writer: Writer, node: FieldNode, matrix: Affine): Code {
+  switch (node.type) {
+    case 'skels':
+      return leaf(TAKE.SUM, addSum(writer, node), addPlace(writer.heap, matrix, false));
+    case 'shape':
+      return leaf(TAKE.SHAPE, addShape(writer, node), addPlace(writer.heap, matrix, true));
+    case 'union':
+    case 'intersection':
+    case 'subtraction': {
+      const join = joinOf(writer, node.form === 'hard' ? 'hardUnion' : 'smoothUnion', [0, 0, 0], node.type);
+      return node.parts.map((part) => write(writer, part, matrix)).reduce((a, b) => joined(a, b, join));
+    }
+    case 'blend': {
+      const join = joinOf(writer, 'blendUnion', [node.a0, node.a1, node.a2]);
+      return joined(write(writer, node.a, matrix), write(writer, node.b, matrix), join);
+    }
+    case 'morph': {
+      const join = joinOf(writer, 'morph', [node.t, 0, 0]);
+      return joined(write(writer, node.from, matrix), write(writer, node.to, matrix), join);
+    }
+    case 'affine':
+      return write(writer, node.node, composed(matrix, node.matrix));
+  }
+}
+
+function joinOf(
+  { used }: Writer,
+  name: Named<'operations'>,
+  amounts: readonly number[],
+  kind: SetNode['type'] = 'union',
+): Join {
+  used.operations.add(name);
+  const outer = kind === 'union' ? 1 : -1;
+  return { operation: numberOf('operations', name), amounts, outer, sign: kind === 'intersection' ? -1 : 1 };
+}
+
+const NEUTRAL = {
+  role: ROLE.FIRST,
+  amounts: [0, 0, 0],
+  operation: 0,
+  outer: 1,
+  sign: 1,
+  swapped: 0,
+} as const;
+
+function leaf(take: number, at: number, place: number): Code {
+  return { steps: [{ ...NEUTRAL, take, at, place }], weight: 0 };
+}
+
+/** The steps of the first operand go on with those of the second. */
+function joined(a: Code, b: Code, join: Join): Code {
+  const swapped = b.weight > a.weight;
+  const [early, late] = swapped ? [b, a] : [a, b];
+  const how = { ...join, swapped: Number(swapped), role: ROLE.JOIN };
+  const [first, ...rest] = late.steps;
+  if (rest.length === 0) {
+    early.steps.push({ ...first!, ...how });
+  } else {
+    early.steps.push({ ...first!, role: ROLE.PUSH });
+    for (const step of rest) early.steps.push(step);
+    early.steps.push({ ...how, take: TAKE.STACK, at: 0, place: 0 });
+  }
+  return { steps: early.steps, weight: Math.max(early.weight, late.weight + 1) };
+}
+
+/** 0 where the matrix moves nothing. */
+function addPlace(heap: Heap, matrix: Affine, isDistance: boolean): number {
+  if (matrix.every((entry, i) => entry === IDENTITY[i])) return 0;
+  const back = inverted(matrix);
+  const column = (k: number) => [back[k]!, back[4 + k]!, back[8 + k]!];
+  const origin = [matrix[3], matrix[7], matrix[11]];
+  const rounded = origin.map(Math.fround);
+  const lost = rounded.map((x, i) => x - origin[i]!);
+  const low = [0, 4, 8].map((row) => lost.reduce((sum, x, i) => sum + back[row + i]! * x, 0));
+  return heap.add(PLACE, {
+    inverse: [0, 1, 2].flatMap(column),
+    origin: rounded,
+    scale: isDistance ? stretches(matrix).least : 1,
+    low,
+  });
+}
+
+function addShape({ heap, used }: Writer, { shape, colour }: ShapeNode): number {
+  used.shapes.add(shape.type);
+  const numbers = [...kindOf(shape).numbers(shape), ...new Array<number>(12).fill(0)];
+  return heap.add(SHAPE, {
+    colour: colour ?? PLAIN,
+    kind: numberOf('shapes', shape.type),
+    a: numbers.slice(0, 4),
+    b: numbers.slice(4, 8),
+    c: numbers.slice(8, 12),
+  });
+}

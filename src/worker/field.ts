@@ -1,0 +1,127 @@
+/**
+ * Makes the bodies of fields beside the page. The latest wish wins: work is cut into slices, between which messages are heard,
+ * and what is no longer wanted is given up. A coarse draft comes first and is finished whatever happens, so that a slider
+ * that is being dragged is followed.
+ */
+import { bindField } from '../field/bind.ts';
+import type { FromWorker, Make, ToWorker } from '../field/fieldWork.ts';
+import { type Lattice, type LatticeValues, sampling } from '../field/lattice.ts';
+import { type Polygonized, polygonizing, type Sampler } from '../field/polygonize.ts';
+import type { TreeField } from '../field/treeField.ts';
+
+/** What this file needs of the scope of a worker, whose types cannot be there beside those of a page. */
+interface Scope {
+  onmessage: ((event: MessageEvent<ToWorker>) => void) | null;
+  postMessage(message: FromWorker, transfer: readonly ArrayBufferLike[]): void;
+}
+
+/** ms of work between two looks at the messages */
+const SLICE = 12;
+/** cells: 20 000 values, some 20 ms for a dozen skels */
+const DRAFT = 28;
+/** a draft of less than this share of the wanted cells is worth its time */
+const COARSER = 0.6;
+
+const scope = self as unknown as Scope;
+let wish: Make | null = null;
+let working = false;
+let arrived: ((values: LatticeValues | null) => void) | null = null;
+
+scope.onmessage = ({ data }) => {
+  if (data.type === 'make') {
+    wish = data;
+    // what the page was asked for is for a body that nobody wants any more
+    arrived?.(null);
+    if (!working) void work();
+  } else if (data.id === current) arrived?.(data.values);
+};
+
+/** of the body under way */
+let current = 0;
+
+async function work(): Promise<void> {
+  working = true;
+  while (wish) {
+    const job: Make = wish;
+    wish = null;
+    current = job.id;
+    try {
+      await make(job);
+    } catch (error) {
+      say({ type: 'refused', id: job.id, message: error instanceof Error ? error.message : String(error) });
+    }
+  }
+  working = false;
+}
+
+async function make({ id, node, resolution, values }: Make): Promise<void> {
+  const field = bindField(node);
+  if (values === 'worker' && DRAFT < COARSER * resolution) {
+    const start = performance.now();
+    const draft = await sliced(id, polygonizing(field, DRAFT, sampling), () => true);
+    if (draft) hand(id, true, draft, start);
+    if (wish) return;
+  }
+  const start = performance.now();
+  const sampler = values === 'page' ? fromPage(id) : sampling;
+  const made = await sliced(id, polygonizing(field, resolution, sampler), () => wish === null);
+  if (made) hand(id, false, made, start);
+}
+
+/** Null when it was given up. */
+async function sliced<T>(
+  id: number,
+  work: Generator<number | Promise<unknown>, T>,
+  wanted: () => boolean,
+): Promise<T | null> {
+  let until = performance.now() + SLICE;
+  for (;;) {
+    const { done, value } = work.next();
+    if (done) return value;
+    if (typeof value !== 'number') await value;
+    else if (performance.now() < until) continue;
+    else {
+      say({ type: 'progress', id, share: value });
+      await breath();
+    }
+    if (!wanted()) return null;
+    until = performance.now() + SLICE;
+  }
+}
+
+/** The values come from the page's graphics device, or from here where it has none. */
+function fromPage(id: number): Sampler<Promise<unknown>> {
+  return function* (field: TreeField, lattice: Lattice) {
+    let values: LatticeValues | null = null;
+    say({ type: 'wanted', id, lattice });
+    yield new Promise<void>((resolve) => {
+      arrived = (found) => {
+        values = found;
+        arrived = null;
+        resolve();
+      };
+    });
+    return values ?? (yield* sampling(field, lattice));
+  };
+}
+
+function hand(id: number, draft: boolean, { mesh, lattice, evaluations }: Polygonized, start: number): void {
+  const milliseconds = performance.now() - start;
+  const { positions, normals, uvs, indices, colours } = mesh;
+  const arrays = [positions, normals, uvs, indices, colours].map(({ buffer }) => buffer);
+  scope.postMessage({ type: 'made', id, draft, mesh, lattice, evaluations, milliseconds }, arrays);
+}
+
+function say(message: FromWorker): void {
+  scope.postMessage(message, []);
+}
+
+const { port1, port2 } = new MessageChannel();
+
+/** Lets messages in. A timer would take 4 ms. */
+function breath(): Promise<void> {
+  return new Promise((resolve) => {
+    port1.onmessage = () => resolve();
+    port2.postMessage(null);
+  });
+}
