@@ -18,7 +18,7 @@ export interface Bound {
   destroy(): void;
 }
 
-/** Throws a RangeError for more records than every device binds. */
+/** Throws a RangeError for more records than every device binds. What the device itself refuses, `dispatch` tells. */
 export function bindRecords(device: GPUDevice, pipelines: FieldPipelines, records: ArrayBuffer): Bound {
   const buffer = upload(device, 'records', records);
   const entries = [{ binding: 0, resource: { buffer } }];
@@ -26,7 +26,7 @@ export function bindRecords(device: GPUDevice, pipelines: FieldPipelines, record
   return { pipelines, group, destroy: () => buffer.destroy() };
 }
 
-/** Four numbers a point (x, y, z, x, …); any number of points, none included. */
+/** Four numbers a point (x, y, z, x, …); any number of points, none included. Rejects when the device refuses the work. */
 export async function dispatch(
   device: GPUDevice,
   bound: Bound,
@@ -42,38 +42,53 @@ export async function dispatch(
   return values;
 }
 
+/** What is invalid or does not fit reads back as zeros, which no one could tell from a field: it rejects instead. */
 async function dispatchBatch(
   device: GPUDevice,
   bound: Bound,
   pipeline: GPUComputePipeline,
   points: Float32Array,
 ): Promise<Float32Array> {
-  const count = points.length / 3;
-  const places = upload(device, 'points', fourWide(points));
+  device.pushErrorScope('out-of-memory');
+  device.pushErrorScope('validation');
+  const buffers = submit(device, bound, pipeline, points);
+  const refusals = Promise.all([device.popErrorScope(), device.popErrorScope()]);
+  const { readable } = buffers;
+  try {
+    // its failure is told by the scopes too, in better words
+    const mapped = readable.mapAsync(MAP_READ).catch((error: unknown) => error);
+    const refusal = (await refusals).find((error) => error !== null);
+    if (refusal) throw new Error(`the graphics device refused a field: ${refusal.message}`);
+    const failure = await mapped;
+    if (failure) throw failure;
+    return new Float32Array(readable.getMappedRange().slice(0));
+  } finally {
+    for (const buffer of Object.values(buffers)) buffer.destroy();
+  }
+}
+
+function submit(device: GPUDevice, bound: Bound, pipeline: GPUComputePipeline, at: Float32Array) {
+  const count = at.length / 3;
   const size = 16 * count;
+  const points = upload(device, 'points', fourWide(at));
   const values = device.createBuffer({ label: 'values', size, usage: USAGE.storage | USAGE.copySource });
   const readable = device.createBuffer({
     label: 'values, read back',
     size,
     usage: USAGE.mapRead | USAGE.copyTarget,
   });
+  const entries = [points, values].map((buffer, binding) => ({ binding, resource: { buffer } }));
+  const { pass: layout } = bound.pipelines;
   const encoder = device.createCommandEncoder({ label: pipeline.label });
   const pass = encoder.beginComputePass({ label: pipeline.label });
-  const entries = [places, values].map((buffer, binding) => ({ binding, resource: { buffer } }));
   pass.setPipeline(pipeline);
-  pass.setBindGroup(
-    0,
-    device.createBindGroup({ label: 'points and values', layout: bound.pipelines.pass, entries }),
-  );
+  pass.setBindGroup(0, device.createBindGroup({ label: 'points and values', layout, entries }));
   pass.setBindGroup(1, bound.group);
   pass.dispatchWorkgroups(Math.ceil(count / WORKGROUP));
   pass.end();
   encoder.copyBufferToBuffer(values, 0, readable, 0, size);
   device.queue.submit([encoder.finish()]);
-  await readable.mapAsync(MAP_READ);
-  const result = new Float32Array(readable.getMappedRange().slice(0));
-  for (const buffer of [places, values, readable]) buffer.destroy();
-  return result;
+  return { points, values, readable };
 }
 
 function upload(device: GPUDevice, label: string, data: ArrayBuffer): GPUBuffer {
@@ -87,6 +102,10 @@ function upload(device: GPUDevice, label: string, data: ArrayBuffer): GPUBuffer 
 /** x, y, z, and a fourth that nobody reads: WGSL's vec3f would be as wide. */
 function fourWide(points: Float32Array): ArrayBuffer {
   const wide = new Float32Array((points.length / 3) * 4);
-  for (let i = 0, k = 0; i < points.length; i += 3, k += 4) wide.set(points.subarray(i, i + 3), k);
+  for (let i = 0, k = 0; i < points.length; i += 3, k += 4) {
+    wide[k] = points[i]!;
+    wide[k + 1] = points[i + 1]!;
+    wide[k + 2] = points[i + 2]!;
+  }
   return wide.buffer;
 }

@@ -16,18 +16,22 @@ export interface GpuField {
   evaluate(points: Float32Array): Promise<Float32Array>;
   /** The same with value, red, green, blue (0–1, linear). */
   colours(points: Float32Array): Promise<Float32Array>;
-  /** Gives the buffers back. */
+  /** Gives the buffers back; what is under way still comes. */
   destroy(): void;
 }
 
 /** The field of a tree on a device. Throws what bindField throws, and a RangeError for more records than every device binds. */
 export function gpuField(device: GPUDevice, node: FieldNode): GpuField {
   let bound = bind(device, node);
-  let busy: Promise<unknown> = Promise.resolve();
-  const run = (entry: Entry, points: Float32Array) => {
+  let busy: Promise<void> = Promise.resolve();
+  let isGone = false;
+  const run = async (entry: Entry, points: Float32Array) => {
+    if (isGone) throw new Error('the field was given back');
     const own = bound;
     const values = own.pipelines.pipeline(entry).then((pipeline) => dispatch(device, own, pipeline, points));
-    busy = Promise.allSettled([busy, values]);
+    const before = busy;
+    // that it is over, not what it came to: results are not to be kept
+    busy = Promise.allSettled([before, values]).then(() => undefined);
     return values;
   };
   // What is under way still reads the buffers.
@@ -40,7 +44,10 @@ export function gpuField(device: GPUDevice, node: FieldNode): GpuField {
     },
     evaluate: (points) => run('points', points),
     colours: (points) => run('colours', points),
-    destroy: () => discard(bound),
+    destroy() {
+      isGone = true;
+      discard(bound);
+    },
   };
 }
 

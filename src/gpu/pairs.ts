@@ -1,5 +1,5 @@
 /** Each skel at a point of its own: what `rotund field --backend gpu` and the parity suites ask for. */
-import { bindRecords, dispatch } from './dispatch.ts';
+import { BATCH, bindRecords, dispatch } from './dispatch.ts';
 import { Heap } from './heap.ts';
 import { noIngredients, numberOf } from './ingredients.ts';
 import { fieldPipelines } from './pipelines.ts';
@@ -18,14 +18,16 @@ export async function evaluatePairs(
   if (points.length !== 3 * skels.length) {
     throw new RangeError(`${points.length / 3} points for ${skels.length} skels`);
   }
+  // a second batch would begin with the first skel again
+  if (skels.length > BATCH) throw new RangeError(`${skels.length} pairs are more than ${BATCH}`);
   const ingredients = noIngredients();
   for (const { skel, kernel } of skels) {
     ingredients.kernels.add(kernel.name);
     ingredients.primitives.add(skel.type);
   }
   const pipelines = fieldPipelines(device, ingredients);
-  const bound = bindRecords(device, pipelines, recordsOf(skels));
   const pipeline = await pipelines.pipeline('pairs');
+  const bound = bindRecords(device, pipelines, recordsOf(skels));
   return dispatch(device, bound, pipeline, points).finally(() => bound.destroy());
 }
 

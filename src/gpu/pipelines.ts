@@ -31,7 +31,7 @@ const made = new WeakMap<GPUDevice, Map<string, FieldPipelines>>();
 export function fieldPipelines(device: GPUDevice, ingredients: Ingredients): FieldPipelines {
   const known = made.get(device) ?? new Map<string, FieldPipelines>();
   made.set(device, known);
-  const key = KINDS.flatMap((kind) => namesOf(ingredients, kind)).join(' ');
+  const key = KINDS.map((kind) => namesOf(ingredients, kind).join(' ')).join(', ');
   const pipelines = known.get(key) ?? prepare(device, ingredients, key);
   known.set(key, pipelines);
   return pipelines;
@@ -54,6 +54,8 @@ function prepare(device: GPUDevice, ingredients: Ingredients, key: string): Fiel
     pipeline(entry) {
       const pipeline = begun.get(entry) ?? begin(entry);
       begun.set(entry, pipeline);
+      // what failed once is tried again
+      pipeline.catch(() => begun.delete(entry));
       return pipeline;
     },
   };

@@ -22,7 +22,7 @@ import { addSum } from './sum.ts';
 export const TAKE = { SUM: 0, SHAPE: 1, STACK: 2 } as const;
 /** What becomes of it: the first result, a result that puts the one before aside, an operand. */
 export const ROLE = { FIRST: 0, PUSH: 1, JOIN: 2 } as const;
-/** places: enough for 2¹⁶ leaves */
+/** places: enough for any tree of 2¹⁷ leaves */
 export const STACK = 16;
 
 export interface Program {
@@ -38,7 +38,8 @@ export function programOf(node: FieldNode): Program {
   const heap = new Heap();
   const program = heap.add(PROGRAM, { first: 0, end: 0 });
   const writer: Writer = { heap, used: noIngredients() };
-  const { steps } = write(writer, node, IDENTITY);
+  const { steps, weight } = write(writer, node, IDENTITY);
+  if (weight - 1 > STACK) throw new RangeError('the tree has too many branches for the graphics device');
   const first = heap.next;
   for (const step of steps) heap.add(STEP, step);
   heap.put(PROGRAM, program, { first, end: heap.next });

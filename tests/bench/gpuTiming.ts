@@ -25,12 +25,12 @@ export const bodyOf = (kernel: Kernel, skels: readonly Skel[]): SkelsNode => ({
 
 /** Compilers leave out what only gradients need. */
 const VALUES = `#import field/tree
-@group(0) @binding(0) var<storage, read> places: array<vec4f>;
-@group(0) @binding(1) var<storage, read_write> results: array<vec4f>;
+@group(0) @binding(0) var<storage, read> points: array<vec4f>;
+@group(0) @binding(1) var<storage, read_write> values: array<vec4f>;
 @compute @workgroup_size(64)
 fn values_at_points(@builtin(global_invocation_id) id: vec3u) {
-  if (id.x < arrayLength(&places)) {
-    results[id.x] = vec4f(tree_field(places[id.x].xyz).x);
+  if (id.x < arrayLength(&points)) {
+    values[id.x] = vec4f(tree_field(points[id.x].xyz).x);
   }
 }
 `;

@@ -119,6 +119,40 @@ describeGpu('a field on the GPU', () => {
     });
   });
 
+  it('says what the device refuses, in place of zeros, and that it was given back', async () => {
+    await withDevice(async (device) => {
+      const field = gpuField(device, sum('cauchy', DOT));
+      const { createBindGroup } = device;
+      // what belongs to no layout is invalid, as a buffer that there was no memory for would be
+      device.createBindGroup = (descriptor) => createBindGroup.call(device, { ...descriptor, entries: [] });
+      await expect(field.evaluate(SOMEWHERE)).rejects.toThrow('the graphics device refused a field');
+      device.createBindGroup = createBindGroup;
+      expect((await field.evaluate(SOMEWHERE)).some((number) => number !== 0)).toBe(true);
+      field.destroy();
+      await expect(field.evaluate(SOMEWHERE)).rejects.toThrow('given back');
+    });
+  });
+
+  it('keeps no results', async () => {
+    const points = new Float32Array(3 << 16);
+    await withDevice(async (device) => {
+      const field = gpuField(device, sum('quartic', DOT));
+      const results: WeakRef<Float32Array>[] = [];
+      for (let i = 0; i < 8; i++) results.push(new WeakRef(await field.evaluate(points)));
+      await expect
+        .poll(
+          () => {
+            // garbage is collected under pressure
+            new Array(1 << 16).fill(0).map(() => new Float64Array(16));
+            return results.filter((result) => result.deref()).length;
+          },
+          { timeout: 20_000 },
+        )
+        .toBeLessThan(8);
+      field.destroy();
+    });
+  });
+
   it('keeps the tree before when the next has no field', async () => {
     await withDevice(async (device) => {
       const field = gpuField(device, sum('cauchy', DOT));

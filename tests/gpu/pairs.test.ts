@@ -1,4 +1,5 @@
 import { afterAll, expect, it } from 'vitest';
+import { BATCH } from '../../src/gpu/dispatch.ts';
 import { evaluatePairs } from '../../src/gpu/pairs.ts';
 import { kernelNamed } from '../../src/kernel/index.ts';
 import { bindSkel } from '../../src/skeleton/index.ts';
@@ -36,6 +37,10 @@ describeGpu('pairs', () => {
     await withDevice(async (device) => {
       await expect(evaluatePairs(device, SKELS, new Float32Array(3))).rejects.toThrow('1 points for 3 skels');
       expect(await evaluatePairs(device, [], new Float32Array())).toEqual(new Float32Array());
+      const many = new Array(BATCH + 1).fill(SKELS[0]);
+      await expect(evaluatePairs(device, many, new Float32Array(3 * many.length))).rejects.toThrow(
+        'more than',
+      );
     });
   });
 });

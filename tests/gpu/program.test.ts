@@ -7,6 +7,7 @@ import { morph } from '../../src/field/morph.ts';
 import type { FieldNode } from '../../src/field/node.ts';
 import type { Operation } from '../../src/field/operation.ts';
 import { smoothUnion } from '../../src/field/smoothUnion.ts';
+import { REGISTRY } from '../../src/gpu/ingredients.ts';
 import { programOf, ROLE, STACK, type Step, TAKE } from '../../src/gpu/program.ts';
 import { Lot } from '../field/lot.ts';
 import { randomTree } from '../field/randomTrees.ts';
@@ -32,9 +33,16 @@ function leaves(node: FieldNode, above: (leaf: FieldNode) => FieldNode = (leaf) 
 }
 
 function operationOf({ operation, amounts: [a0, a1, a2] }: Step): Operation {
-  if (operation === 0) return hardUnion;
-  if (operation === 1) return smoothUnion;
-  return operation === 2 ? blendUnion({ a0: a0!, a1: a1!, a2: a2! }) : morph(a0!);
+  switch (REGISTRY.operations[operation]!) {
+    case 'hardUnion':
+      return hardUnion;
+    case 'smoothUnion':
+      return smoothUnion;
+    case 'blendUnion':
+      return blendUnion({ a0: a0!, a1: a1!, a2: a2! });
+    case 'morph':
+      return morph(a0!);
+  }
 }
 
 const trees = (seed: number, count: number): FieldNode[] => {
@@ -104,7 +112,13 @@ describe('a program', () => {
     for (const node of trees(45, 60)) {
       expect(2 ** heightOf(node)).toBeLessThanOrEqual(leaves(node).length);
     }
-    expect(STACK).toBeGreaterThanOrEqual(16);
+  });
+
+  it('refuses what the stack has no place for', () => {
+    const deepest = nest(STACK + 1, 'both');
+    expect(() => programOf({ ...deepest, parts: [deepest, deepest] } as FieldNode)).toThrow(
+      'too many branches',
+    );
   });
 
   it('takes ten thousand parts', () => {
