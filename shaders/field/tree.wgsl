@@ -7,6 +7,9 @@
 // A field tree as a flat program (src/gpu/program.ts). What is combined with a leaf stays in registers; the stack holds
 // only what waits for a whole subtree.
 
+// beyond it smooth unions of many bodies stay
+const MOST = 1e30;
+
 fn tree_field(p: vec3f) -> vec4f {
   return run_program(p, false);
 }
@@ -49,8 +52,10 @@ fn joined(step: Step, early: vec4f, late: vec4f, colours: bool) -> vec4f {
   let a = select(early, late, step.swapped == 1u);
   let b = select(late, early, step.swapped == 1u);
   let united = operation(step.operation, step.outer * a.x, step.sign * b.x, step.amounts);
+  let value = clamp(step.outer * united.x, -MOST, MOST);
   if (colours) {
-    return vec4f(step.outer * united.x, mix(a.yzw, b.yzw, share_of_b(united)));
+    return vec4f(value, mix(a.yzw, b.yzw, share_of_b(united)));
   }
-  return step.outer * combined(step.outer * a, step.sign * b, united);
+  let field = step.outer * combined(step.outer * a, step.sign * b, united);
+  return select(field, vec4f(value, 0.0, 0.0, 0.0), value != field.x);
 }

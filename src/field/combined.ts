@@ -10,6 +10,16 @@ import type { TreeField } from './treeField.ts';
 /** How a union becomes the other operations: −(±a ∪ ±b). */
 export type Kind = 'union' | 'intersection' | 'subtraction';
 
+/** Inside of many bodies smooth unions double the value with each: beyond this it stays, or float32 would overflow. */
+const MOST = 1e30;
+
+function saturate(out: FieldValue): void {
+  out[0] = out[0]! < 0 ? -MOST : MOST;
+  out[1] = 0;
+  out[2] = 0;
+  out[3] = 0;
+}
+
 /** The first with the second, what comes of that with the third, and so on: a list, for drawings may have ten thousand parts. */
 export function combined(parts: readonly TreeField[], operation: Operation, kind: Kind): TreeField {
   const [first, ...rest] = parts;
@@ -42,6 +52,7 @@ class Combined implements TreeField {
     let value = this.#first.value(x, y, z);
     for (const part of this.#rest) {
       value = this.#outer * this.#operation.value(this.#outer * value, this.#sign * part.value(x, y, z));
+      value = Math.min(Math.max(value, -MOST), MOST);
     }
     return value;
   }
@@ -60,6 +71,7 @@ class Combined implements TreeField {
       const toFirst = partials[1]!;
       const toOther = outer * sign * partials[2]!;
       for (let i = 1; i < 4; i++) out[i] = toFirst * out[i]! + toOther * other[i]!;
+      if (!(Math.abs(out[0]!) <= MOST)) saturate(out);
     }
   }
 
@@ -70,7 +82,7 @@ class Combined implements TreeField {
     for (const part of this.#rest) {
       const next = part.colour(x, y, z, other);
       this.#operation.evaluate(this.#outer * value, this.#sign * next, partials);
-      value = this.#outer * partials[0]!;
+      value = Math.min(Math.max(this.#outer * partials[0]!, -MOST), MOST);
       const toFirst = Math.max(partials[1]!, 0);
       const toOther = Math.max(partials[2]!, 0);
       const share = toFirst + toOther > 0 ? toOther / (toFirst + toOther) : 0.5;

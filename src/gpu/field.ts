@@ -27,6 +27,7 @@ export function gpuField(device: GPUDevice, node: FieldNode): GpuField {
   let isGone = false;
   const run = async (entry: Entry, points: Float32Array) => {
     if (isGone) throw new Error('the field was given back');
+    if (points.length % 3 !== 0) throw new RangeError(`${points.length} numbers are no list of points`);
     const own = bound;
     const values = own.pipelines.pipeline(entry).then((pipeline) => dispatch(device, own, pipeline, points));
     const before = busy;

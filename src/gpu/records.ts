@@ -6,7 +6,7 @@
 import type { Kernel, KernelParams } from '../kernel/kernel.ts';
 import type { RecordLayout, RecordValue } from '../math/record.ts';
 import { type Vec2, type Vec3, vec3 } from '../math/vec.ts';
-import { checkedParams, whole } from '../skeleton/binding.ts';
+import { checkedParams, SHORTEST, whole } from '../skeleton/binding.ts';
 import { regionOf } from '../skeleton/region.ts';
 import type { PointSkel, PolygonSkel, SegmentSkel, Skel } from '../skeleton/skels.ts';
 import type { Heap } from './heap.ts';
@@ -57,7 +57,8 @@ function segmentRecord(skel: SegmentSkel, kernel: Kernel, params: KernelParams):
   // Length and direction belong to the rounded ends, else the two ends would tell different places of one point.
   const a = rounded(skel.a);
   const b = rounded(skel.b);
-  const mm = vec3.distance(a, b);
+  const apart = vec3.distance(a, b);
+  const mm = apart < SHORTEST ? 0 : apart;
   const unit = kernel.unit(params, mm || 1);
   // An integral over nothing: any direction, no weight.
   const factor = mm > 0 ? whole(unit, 1 + kernel.homogeneity) : 0;

@@ -62,6 +62,3 @@ export function fastAtan2(y: number, x: number): number {
   const angle = base + (t + (t * z * (low + v * (middle + v * high)) + rest));
   return y < 0 ? -angle : angle;
 }
-
-/** atan x for finite x. */
-export const fastAtan = (x: number): number => fastAtan2(x, 1);

@@ -11,7 +11,7 @@ import type { Kernel, KernelParams } from '../kernel/kernel.ts';
 import { cos, PI, sin, TAU } from '../math/trig.ts';
 import { add3, cross3, dot3, length3, scale3, sub3 } from '../math/tuple.ts';
 import type { Vec3 } from '../math/vec.ts';
-import { checkFinite } from './binding.ts';
+import { checkNumbers, checkPlaces } from './binding.ts';
 import { allowedShift, distance3, type Fidelity, MOST_PIECES, steepness } from './curve.ts';
 import { FieldError } from './skeleton.ts';
 import type { SegmentSkel } from './skels.ts';
@@ -31,7 +31,8 @@ export interface ArcSkel extends Fidelity {
 /** FieldError for what is no arc, and when more than MOST_PIECES chords were needed. */
 export function expandArc(arc: ArcSkel, kernel: Kernel, params: KernelParams): SegmentSkel[] {
   const { centre, start, axis, angle, weights } = arc;
-  checkFinite('the places, angle and weights of an arc', [...centre, ...start, ...axis, angle, ...weights]);
+  checkPlaces('the places of an arc', [...centre, ...start, ...axis]);
+  checkNumbers('the angle and weights of an arc', [angle, ...weights]);
   if (weights.length !== 2) throw new FieldError(`an arc has 2 weights, found ${weights.length}`);
   const { x, y, radius } = circle(arc);
   const count = chordCount(arc, radius, kernel, params);

@@ -18,10 +18,27 @@ export function checkedParams(kernel: Kernel, params: KernelParams): KernelParam
   return Object.fromEntries(entries);
 }
 
-/** FieldError when one of the numbers is no finite number. */
-export function checkFinite(what: string, numbers: Iterable<number>): void {
+/** mm: the farthest a skel may be from the origin; fields of larger numbers overflow in float32, and at last in float64 */
+const FARTHEST = 1e15;
+/** the largest weight: a point of r⁻⁵ with a radius of 1e6 mm needs 1e30 */
+const HEAVIEST = 1e60;
+/** mm: shorter lines are none */
+export const SHORTEST = 1e-15;
+
+/** FieldError when one of the lengths or coordinates, in mm, is no finite number or beyond all reason. */
+export function checkPlaces(what: string, numbers: Iterable<number>): void {
+  checkWithin(what, numbers, FARTHEST, ' mm');
+}
+
+/** The same for weights, angles and other numbers. */
+export function checkNumbers(what: string, numbers: Iterable<number>): void {
+  checkWithin(what, numbers, HEAVIEST, '');
+}
+
+function checkWithin(what: string, numbers: Iterable<number>, most: number, unit: string): void {
   for (const number of numbers) {
-    if (!Number.isFinite(number)) throw new FieldError(`${what} must be finite numbers, found ${number}`);
+    if (Math.abs(number) <= most) continue;
+    throw new FieldError(`${what} must be numbers within ±${most}${unit}, found ${number}`);
   }
 }
 

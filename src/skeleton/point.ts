@@ -5,7 +5,7 @@
  */
 import type { Kernel, KernelParams } from '../kernel/kernel.ts';
 import { pow } from '../math/pow.ts';
-import { checkedParams, checkFinite, reach, whole } from './binding.ts';
+import { checkedParams, checkNumbers, checkPlaces, reach, whole } from './binding.ts';
 import type { FieldValue, Skeleton, SkelField } from './skeleton.ts';
 import type { PointSkel } from './skels.ts';
 
@@ -13,7 +13,8 @@ export const point: Skeleton<PointSkel> = { name: 'point', bind };
 
 function bind({ at, weight }: PointSkel, kernel: Kernel, params: KernelParams): SkelField {
   const checked = checkedParams(kernel, params);
-  checkFinite('the coordinates and the weight of a point', [...at, weight]);
+  checkPlaces('the coordinates of a point', at);
+  checkNumbers('the weight of a point', [weight]);
   const { homogeneity, support } = kernel;
   const size = homogeneity === 0 || weight === 0 ? 1 : pow(Math.abs(weight), -1 / homogeneity);
   const unit = kernel.unit(checked, size);

@@ -56,12 +56,12 @@ function bind(skel: PolygonSkel, kernel: Kernel, params: KernelParams): SkelFiel
     frame.z = vx * n[0] + vy * n[1] + vz * n[2];
     if (Math.abs(frame.z) >= support) return;
     frame.slopes = slopes;
-    const reach = Math.sqrt(support * support - frame.z * frame.z);
+    const seenTo = Math.sqrt(support * support - frame.z * frame.z);
     let next = STRIDE;
     for (let i = 0; i < edges.length; i = next) {
       const end = edges[i + NEXT]!;
       const isEdge = end === i + STRIDE;
-      next = isEdge || isBeyond(edges, i, qx, qy, reach) ? end : i + STRIDE;
+      next = isEdge || isBeyond(edges, i, qx, qy, seenTo) ? end : i + STRIDE;
       if (next !== end || edges[i + 6] === 0) continue;
       seen(frame, edges, i, qx, qy);
       edge(frame, integral);

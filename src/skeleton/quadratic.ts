@@ -14,7 +14,7 @@ import { gauss } from '../math/quadrature.ts';
 import { PI, TAU } from '../math/trig.ts';
 import { add3, dot3, length3, scale3, sub3 } from '../math/tuple.ts';
 import type { Vec3 } from '../math/vec.ts';
-import { checkFinite } from './binding.ts';
+import { checkNumbers, checkPlaces } from './binding.ts';
 import { allowedShift, distance3, type Fidelity, MOST_PIECES, type Steepness, steepness } from './curve.ts';
 import { FieldError } from './skeleton.ts';
 import type { SegmentSkel } from './skels.ts';
@@ -39,7 +39,8 @@ const PLACES = 0.8;
 /** FieldError for numbers that do not fit, and when more than MOST_PIECES chords were needed. */
 export function expandQuadratic(skel: QuadraticSkel, kernel: Kernel, params: KernelParams): SegmentSkel[] {
   const { points, weights, fieldError, distance } = skel;
-  checkFinite('the points and weights of a spline', [...points.flat(), ...weights]);
+  checkPlaces('the points of a spline', points.flat());
+  checkNumbers('the weights of a spline', weights);
   const count = weights.length - 1;
   if (count < 1 || points.length !== 2 * count + 1) {
     throw new FieldError(

@@ -3,7 +3,7 @@
  * middle of the region, so that raw coordinates are subtracted once, in float64.
  */
 import { type Vec2, type Vec3, vec3 } from '../math/vec.ts';
-import { checkFinite } from './binding.ts';
+import { checkNumbers, checkPlaces } from './binding.ts';
 import { FieldError } from './skeleton.ts';
 import type { PolygonSkel } from './skels.ts';
 import { type Winding, windingOf } from './winding.ts';
@@ -46,8 +46,9 @@ export interface Region extends Frame, Winding {
 }
 
 export function regionOf(skel: PolygonSkel): Region {
-  checkFinite('the frame and weight of a polygon', [...skel.origin, ...skel.u, ...skel.v, skel.weight]);
-  checkFinite('the vertices of a polygon', skel.loops.flat(2));
+  checkPlaces('the frame of a polygon', [...skel.origin, ...skel.u, ...skel.v]);
+  checkNumbers('the weight of a polygon', [skel.weight]);
+  checkPlaces('the vertices of a polygon', skel.loops.flat(2));
   if (skel.loops.length === 0) throw new FieldError('a polygon has at least one loop');
   const frame = frameOf(skel);
   const outer = skel.loops[0]!;

@@ -7,7 +7,7 @@
  */
 import { type Kernel, type KernelParams, type LineField, LineFrame } from '../kernel/kernel.ts';
 import type { Vec3 } from '../math/vec.ts';
-import { checkedParams, checkFinite, reach, whole } from './binding.ts';
+import { checkedParams, checkNumbers, checkPlaces, reach, SHORTEST, whole } from './binding.ts';
 import { boxOf } from './boxOf.ts';
 import { type Box, FieldError, type FieldValue, type Skeleton, type SkelField } from './skeleton.ts';
 import type { SegmentSkel } from './skels.ts';
@@ -16,15 +16,15 @@ export const segment: Skeleton<SegmentSkel> = { name: 'segment', bind };
 
 function bind({ a, b, weights }: SegmentSkel, kernel: Kernel, params: KernelParams): SkelField {
   const checked = checkedParams(kernel, params);
-  checkFinite('the ends and weights of a segment', [...a, ...b, ...weights]);
+  checkPlaces('the ends of a segment', [...a, ...b]);
+  checkNumbers('the weights of a segment', weights);
   if (weights.length < 1 || weights.length > 4) {
     throw new FieldError(`a segment has 1 to 4 weights (degree 0 to 3), found ${weights.length}`);
   }
   const [dx, dy, dz] = [b[0] - a[0], b[1] - a[1], b[2] - a[2]];
   const mm = lengthOf(dx, dy, dz);
-  if (!(mm < Infinity)) throw new FieldError('a segment must be shorter than 1e154 mm');
   const box = boxOf([a, b]);
-  if (mm === 0) return { box, offset: () => 0, value: () => 0, add: () => {} };
+  if (mm < SHORTEST) return { box, offset: () => 0, value: () => 0, add: () => {} };
   const field = new SegmentField(box, [a, b], mm, weights, kernel, checked);
   const quick = field.quick();
   return quick

@@ -92,7 +92,7 @@ function checked(kernel: Kernel, params: KernelParams, radius: number, threshold
 function quotient({ name, support }: Kernel, threshold: number, field: number, radius: number): number {
   const weight = threshold / field;
   if (weight < Infinity) return weight;
-  const where = support < Infinity ? 'its support' : 'what doubles hold';
+  const where = support < Infinity ? 'its support: a larger R reaches it' : 'what doubles hold';
   throw new FieldError(
     `no weight of the kernel ${name} reaches a radius of ${radius}: it is beyond ${where}`,
   );

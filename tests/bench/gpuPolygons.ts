@@ -4,11 +4,12 @@
  * fewest that are right to float32.
  */
 import { kernelNamed } from '../../src/kernel/index.ts';
+import { POLYGONS } from '../fixtures/polygons.ts';
 import { bodyOf, leastOnGpu, pointsOf, valueOnly } from './gpuTiming.ts';
-import { around, PAPER_GPU, POLYGONS } from './polygons.ts';
 import { slicesOf } from './slices.ts';
 import { rounded } from './timing.ts';
 import { trianglesOf } from './triangulated.ts';
+import { around, PAPER_GPU } from './zhu.ts';
 
 export async function timePolygons(device: GPUDevice): Promise<void> {
   const rows = [];

@@ -2,8 +2,8 @@
 import { kernels } from '../../src/kernel/index.ts';
 import type { Kernel } from '../../src/kernel/kernel.ts';
 import type { Skel } from '../../src/skeleton/skels.ts';
+import { POLYGONS } from '../fixtures/polygons.ts';
 import { bodyOf, leastOnGpu, pointsOf, valueOnly, withGradient } from './gpuTiming.ts';
-import { POLYGONS } from './polygons.ts';
 import { CROSS, LINEAR } from './skels.ts';
 import { cube, rounded } from './timing.ts';
 

@@ -5,7 +5,7 @@
  */
 import { kernelNamed, kernels } from '../../src/kernel/index.ts';
 import type { Kernel } from '../../src/kernel/kernel.ts';
-import { around, PAPER, POLYGONS } from './polygons.ts';
+import { POLYGONS } from '../fixtures/polygons.ts';
 import {
   bound,
   type Grid,
@@ -18,6 +18,7 @@ import {
   type Timed,
 } from './timing.ts';
 import { doubleIntegrals, edgesOfTriangles, TOLERANCE } from './triangulated.ts';
+import { around, PAPER } from './zhu.ts';
 
 mixCalls(Object.values(POLYGONS));
 

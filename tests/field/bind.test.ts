@@ -201,6 +201,21 @@ describe('trees', () => {
   });
 });
 
+describe('many parts', () => {
+  const many = new Array<FieldNode>(10_000).fill(sphere(2));
+
+  test.each(['hard', 'smooth'] as const)('ten thousand in a %s union are finite in and out', (form) => {
+    const field = bindField({ type: 'union', form, parts: many });
+    expect(field.box).toEqual({ min: [-2, -2, -2], max: [2, 2, 2] });
+    for (const x of [0.5, 1.999, 3]) {
+      const numbers = evaluated(field, [x, 0, 0]);
+      expect(numbers.every(Number.isFinite)).toBe(true);
+      expect(numbers[0]).toBe(field.value(x, 0, 0));
+      expect(numbers[0] > 0).toBe(x < 2);
+    }
+  });
+});
+
 describe('colours', () => {
   const red: FieldNode = { type: 'shape', shape: { type: 'sphere', radius: 2 }, colour: [1, 0, 0] };
   const blue = placed({ type: 'shape', shape: { type: 'sphere', radius: 2 }, colour: [0, 0, 1] }, 3, 0, 0);

@@ -153,6 +153,19 @@ describeGpu('a field on the GPU', () => {
     });
   });
 
+  it('stays finite inside of hundreds of smoothly united bodies', async () => {
+    const node: FieldNode = { type: 'union', form: 'smooth', parts: new Array(400).fill(sphere(2)) };
+    await withDevice(async (device) => {
+      const field = gpuField(device, node);
+      const values = await field.evaluate(Float32Array.of(0.5, 0, 0, 1.999, 0, 0, 3, 0, 0));
+      expect([...values.subarray(0, 4)]).toEqual([Math.fround(1e30), 0, 0, 0]);
+      expect(values.every(Number.isFinite)).toBe(true);
+      expect(values[8]).toBeLessThan(0);
+      await expect(field.evaluate(Float32Array.of(1, 2))).rejects.toThrow('no list of points');
+      field.destroy();
+    });
+  });
+
   it('keeps the tree before when the next has no field', async () => {
     await withDevice(async (device) => {
       const field = gpuField(device, sum('cauchy', DOT));

@@ -1,5 +1,5 @@
 import { describe, expect, test } from 'vitest';
-import { fastAtan, fastAtan2 } from '../../src/math/atan.ts';
+import { fastAtan2 } from '../../src/math/atan.ts';
 import { atan2 } from '../../src/math/trig.ts';
 import { exact, preciseAtan, ulps } from '../fixtures/precise.ts';
 import { random } from '../fixtures/random.ts';
@@ -10,7 +10,7 @@ describe('the fast atan', () => {
       const next = random(1);
       for (let i = 0; i < 800; i++) {
         const x = 2 ** ((2 * next() - 1) * octaves) * (i % 2 ? 1 : -1);
-        expect(ulps(fastAtan(x), preciseAtan(exact(x))), `atan ${x}`).toBeLessThan(2);
+        expect(ulps(fastAtan2(x, 1), preciseAtan(exact(x))), `atan ${x}`).toBeLessThan(2);
       }
     });
   }

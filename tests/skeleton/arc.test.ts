@@ -91,7 +91,7 @@ describe('arcs', () => {
     [{ fieldError: 1e-12 }, /more than 4096 chords/],
     [{ distance: -1 }, /distance/],
     [{ distance: Infinity }, /distance must be/],
-    [{ weights: [1, Number.NaN] }, /weights of an arc must be finite numbers, found NaN/],
+    [{ weights: [1, Number.NaN] }, /weights of an arc must be numbers within ±1e\+60, found NaN/],
     [{ weights: [1] as never }, /2 weights, found 1/],
     [{ centre: [0, Number.NaN, 0] }, /places.* found NaN/],
   ])('%j is refused', (change, message) => {

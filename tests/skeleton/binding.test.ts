@@ -25,9 +25,15 @@ const point: Skel = { type: 'point', at: [0, 0, 0], weight: 1 };
 const segment: Skel = { type: 'segment', a: [0, 0, 0], b: [1, 2, 2], weights: [1, 2] };
 
 const REFUSED: readonly (readonly [what: string, skel: Skel, message: RegExp])[] = [
-  ['a point nowhere', { ...point, at: [0, Number.NaN, 0] }, /finite numbers, found NaN/],
-  ['an infinite weight', { ...point, weight: Infinity }, /finite numbers, found Infinity/],
-  ['a segment to infinity', { ...segment, b: [Infinity, 0, 0] }, /finite/],
+  ['a point nowhere', { ...point, at: [0, Number.NaN, 0] }, /within ±.*, found NaN/],
+  ['an infinite weight', { ...point, weight: Infinity }, /within ±.*, found Infinity/],
+  [
+    'a segment to infinity',
+    { ...segment, b: [Infinity, 0, 0] },
+    /within ±1000000000000000 mm, found Infinity/,
+  ],
+  ['a segment beyond all reason', { ...segment, b: [1e100, 0, 0] }, /within ±1000000000000000 mm/],
+  ['a weight beyond all reason', { ...segment, weights: [1, 1e308] }, /within ±1e\+60, found 1e\+308/],
   ['no weights', { ...segment, weights: [] }, /1 to 4 weights.*found 0/],
   ['a weight of degree 4', { ...segment, weights: [1, 2, 3, 4, 5] }, /found 5/],
   ['axes on one line', { ...square, v: [-1, 0, 0] }, /span a plane/],
@@ -151,6 +157,7 @@ describe('building a field', () => {
   it('a segment of no length and skels of no weight are no field', () => {
     const nothing: readonly Skel[] = [
       { type: 'segment', a: [1, 2, 3], b: [1, 2, 3], weights: [5] },
+      { type: 'segment', a: [0, 0, 0], b: [1e-100, 0, 0], weights: [5] },
       { ...segment, weights: [0, 0] },
       { ...point, weight: 0 },
       { ...square, weight: 0 },

@@ -2,9 +2,9 @@
 import { expect, it } from 'vitest';
 import { kernelNamed } from '../../src/kernel/index.ts';
 import type { Vec3 } from '../../src/math/vec.ts';
-import { POLYGONS } from '../bench/polygons.ts';
 import { bound } from '../bench/timing.ts';
 import { edgesOfTriangles } from '../bench/triangulated.ts';
+import { POLYGONS } from '../fixtures/polygons.ts';
 import { random } from '../fixtures/random.ts';
 
 const SEED = 3;
