@@ -2,6 +2,7 @@
 import { evaluateAlone } from '../gpu/evaluate.ts';
 import { type Evaluator, fieldOf } from './evaluator.ts';
 import { Problem } from './problem.ts';
+import { say } from './say.ts';
 import type { Scale, VectorCase } from './vectors.ts';
 
 /** Lends WebGPU for the time of `use`. */
@@ -16,6 +17,7 @@ export function gpuEvaluator(open: OpenGpu): Evaluator {
       const points = Float32Array.from(cases.flatMap(({ p }) => p));
       const evaluated = await open((gpu) => evaluateAlone(gpu, cases, points));
       if ('reason' in evaluated) throw new Problem(`--backend gpu: ${evaluated.reason}`, 1);
+      say(`evaluated on ${evaluated.adapter}`);
       return evaluated.values;
     },
     tolerance,
