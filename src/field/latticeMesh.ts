@@ -1,16 +1,17 @@
 /**
- * Marching tetrahedra: values on a lattice become an indexed mesh. Every edge of the lattice owns at most one vertex, so the
- * mesh is watertight by construction, and vertices are moved onto the surface of the field itself, whose slopes are
- * the normals. The lattice's own border counts as outside: what reaches it is cut off, half a cell within it.
+ * Marching cubes: values on a lattice become an indexed mesh, by loops around each cube (cubeLoops.ts). Every edge of the lattice
+ * owns at most one vertex, so the mesh is watertight by construction, and vertices are moved onto the surface of the field itself,
+ * whose slopes are the normals. The lattice's own border counts as outside: what reaches it is cut off, half a cell within it.
  *
  * Each layer of cubes is a slice of work. Only the edges of two layers of nodes are remembered at a time.
  */
 import { add3, cross3, length3, scale3, sub3 } from '../math/tuple.ts';
 import type { Vec3 } from '../math/vec.ts';
 import type { Mesh } from '../mesh/mesh.ts';
+import { CubeLoops } from './cubeLoops.ts';
 import type { Lattice, LatticeValues } from './lattice.ts';
+import { eachTriangle } from './loopTriangles.ts';
 import { surfacePoint } from './surfacePoint.ts';
-import { cubeTriangles } from './tetrahedra.ts';
 import type { TreeField } from './treeField.ts';
 
 /** A mesh painted by the field. */
@@ -38,7 +39,7 @@ class Surface {
   readonly #lattice: Lattice;
   readonly #values: LatticeValues;
   readonly #inside: Uint8Array;
-  /** vertex of the edge from a node of the layer in direction 1–7, at 8 node + direction; −1: none yet */
+  /** vertex of the edge from a node of the layer along an axis, at 3 node + axis; −1: none yet */
   #near: Int32Array;
   #far: Int32Array;
   readonly #positions: number[] = [];
@@ -48,6 +49,8 @@ class Surface {
   /** vertices where the field has no slope */
   readonly #flat: number[] = [];
   readonly #paint = new Float64Array(3);
+  readonly #loops = new CubeLoops();
+  readonly #corners = new Float64Array(8);
 
   constructor(field: TreeField, lattice: Lattice, values: LatticeValues) {
     this.#field = field;
@@ -55,8 +58,8 @@ class Surface {
     this.#values = values;
     this.#inside = insideOf(lattice, values);
     const [nx, ny] = lattice.counts;
-    this.#near = new Int32Array(8 * nx * ny).fill(-1);
-    this.#far = new Int32Array(8 * nx * ny).fill(-1);
+    this.#near = new Int32Array(3 * nx * ny).fill(-1);
+    this.#far = new Int32Array(3 * nx * ny).fill(-1);
   }
 
   /** The cubes between the layers k and k + 1 of nodes. */
@@ -96,19 +99,49 @@ class Surface {
       (inside[above + nx]! << 6) |
       (inside[above + nx + 1]! << 7);
     if (mask === 0 || mask === 255) return;
-    for (const edge of cubeTriangles(mask)) this.#indices.push(this.#vertex(i, j, k, edge));
+    for (let corner = 0; corner < 8; corner++) {
+      this.#corners[corner] = this.#value([i + (corner & 1), j + ((corner >> 1) & 1), k + (corner >> 2)]);
+    }
+    this.#loops.trace(mask, this.#corners);
+    this.#fill(i, j, k);
+  }
+
+  /** A piece of surface in every loop. */
+  #fill(i: number, j: number, k: number): void {
+    const loops = this.#loops;
+    let start = 0;
+    for (let loop = 0; loop < loops.count; loop++) {
+      const end = loops.ends[loop]!;
+      const ring = Array.from(loops.edges.subarray(start, end), (edge) => this.#vertex(i, j, k, edge));
+      const middle = loops.isTwisted[loop] ? this.#middle(ring) : null;
+      eachTriangle(ring, middle, this.#positions, (a, b, c) => this.#indices.push(a, b, c));
+      start = end;
+    }
   }
 
   #vertex(i: number, j: number, k: number, edge: number): number {
-    const [near, far] = [edge & 7, edge >> 3];
-    const [x, y] = [i + (near & 1), j + ((near >> 1) & 1)];
-    const owners = near & 4 ? this.#far : this.#near;
-    const slot = 8 * (x + this.#lattice.counts[0] * y) + (far ^ near);
+    const [corner, axis] = [edge & 7, edge >> 3];
+    const [x, y, z] = [i + (corner & 1), j + ((corner >> 1) & 1), k + (corner >> 2)];
+    const owners = corner & 4 ? this.#far : this.#near;
+    const slot = 3 * (x + this.#lattice.counts[0] * y) + axis;
     const known = owners[slot]!;
     if (known >= 0) return known;
     const made = this.#positions.length / 3;
     owners[slot] = made;
-    this.#place([x, y, k + (near >> 2)], [i + (far & 1), j + ((far >> 1) & 1), k + (far >> 2)]);
+    this.#place([x, y, z], [x + Number(axis === 0), y + Number(axis === 1), z + Number(axis === 2)]);
+    return made;
+  }
+
+  /** A vertex in the middle of others, with the mean of their normals. */
+  #middle(ring: readonly number[]): number {
+    const mean = (from: readonly number[], axis: number) =>
+      ring.reduce((sum, vertex) => sum + from[3 * vertex + axis]!, 0) / ring.length;
+    const made = this.#positions.length / 3;
+    const at: Vec3 = [mean(this.#positions, 0), mean(this.#positions, 1), mean(this.#positions, 2)];
+    const sum: Vec3 = [mean(this.#normals, 0), mean(this.#normals, 1), mean(this.#normals, 2)];
+    const length = length3(sum);
+    if (!(length > 0)) this.#flat.push(made);
+    this.#add(at, length > 0 ? scale3(sum, 1 / length) : [0, 0, 0]);
     return made;
   }
 
@@ -121,8 +154,12 @@ class Surface {
       ? { at: scale3(add3(a, b), 0.5), normal: this.#outOfBorder(from, to) }
       : surfacePoint(this.#field, a, b, valueA, valueB);
     if (!normal) this.#flat.push(this.#positions.length / 3);
+    this.#add(at, normal ?? [0, 0, 0]);
+  }
+
+  #add(at: Vec3, normal: Vec3): void {
     this.#positions.push(...at);
-    this.#normals.push(...(normal ?? [0, 0, 0]));
+    this.#normals.push(...normal);
     this.#field.colour(...at, this.#paint);
     this.#colours.push(this.#paint[0]!, this.#paint[1]!, this.#paint[2]!);
   }

@@ -1,7 +1,7 @@
 /**
  * The surface of a field as a mesh: the simple, dense polygonizer. It takes a value at every node of a regular lattice, so its
  * cost is n³ for n cells along the longest side, while the surface it finds has n² triangles; one that follows the surface
- * only is to come. Marching tetrahedra on exact values: watertight, with vertices on the surface and the field's own normals.
+ * only is to come. Marching cubes on exact values: watertight, with vertices on the surface and the field's own normals.
  *
  * The steps are generators that yield the share done of the step they are at, so that a worker may pause or give up between
  * them; `polygonize` runs all of them at once.

@@ -1,0 +1,39 @@
+/**
+ * A loop of vertices as triangles: around the corner that leaves the shortest chords, or around a vertex in the middle where a
+ * chord might lie in a face of the cube and be a chord of the neighbour's too.
+ */
+
+type Triangle = (a: number, b: number, c: number) => void;
+
+/** `positions`: x, y, z of each vertex, as they were added. */
+export function eachTriangle(
+  ring: readonly number[],
+  middle: number | null,
+  positions: readonly number[],
+  visit: Triangle,
+): void {
+  const n = ring.length;
+  if (middle !== null) {
+    for (let i = 0; i < n; i++) visit(middle, ring[i]!, ring[(i + 1) % n]!);
+    return;
+  }
+  const first = n > 3 ? shortestFan(ring, positions) : 0;
+  for (let i = 1; i < n - 1; i++) visit(ring[first]!, ring[(first + i) % n]!, ring[(first + i + 1) % n]!);
+}
+
+function shortestFan(ring: readonly number[], positions: readonly number[]): number {
+  let [best, least] = [0, Infinity];
+  for (let first = 0; first < ring.length; first++) {
+    let sum = 0;
+    for (let i = 2; i < ring.length - 1; i++) {
+      sum += squared(ring[first]!, ring[(first + i) % ring.length]!, positions);
+    }
+    if (sum < least) [best, least] = [first, sum];
+  }
+  return best;
+}
+
+function squared(a: number, b: number, positions: readonly number[]): number {
+  const along = (axis: number) => positions[3 * a + axis]! - positions[3 * b + axis]!;
+  return along(0) * along(0) + along(1) * along(1) + along(2) * along(2);
+}
