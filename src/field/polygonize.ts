@@ -92,6 +92,11 @@ class Counted implements TreeField {
     return this.#field.colour(x, y, z, out);
   }
 
+  range(x: number, y: number, z: number, half: number, out: Float64Array): void {
+    this.evaluations++;
+    this.#field.range(x, y, z, half, out);
+  }
+
   boxAbove(level: number): Box | null {
     return this.#field.boxAbove(level);
   }

@@ -8,6 +8,7 @@
  */
 import { exp, expm1 } from '../math/exp.ts';
 import { PI } from '../math/trig.ts';
+import type { Dimension } from './change.ts';
 import { angleOutside, clamped } from './clip.ts';
 import type { EdgeFrame, Integral, Kernel, LineFrame } from './kernel.ts';
 import { Nodes, sumLine } from './nodes.ts';
@@ -28,11 +29,33 @@ export const gaussian: Kernel = {
   unit: ({ s = S.default }) => 1 / s,
   value: (r2) => exp(-r2),
   slope: (r2) => -exp(-r2),
+  change: { type: 'absolute', slopes },
   line,
   edge,
   wholeLine: (r2) => Math.sqrt(PI) * exp(-r2),
   wholePlane: (r2) => PI * exp(-r2),
 };
+
+/**
+ * |f'| = 2r f; second derivatives −2f across and (4r² − 2) f along. Lines and planes: Cauchy–Schwarz with ∫ r² f and ∫ f, and
+ * |4r² − 2| ≤ 2 + 4 (r² − 1) where r > 1.
+ */
+function slopes(dimension: Dimension, r2: number, out: Float64Array): void {
+  const f = exp(-r2);
+  switch (dimension) {
+    case 0:
+      out[0] = r2 < 0.5 ? Math.SQRT2 * exp(-0.5) : 2 * Math.sqrt(r2) * f;
+      out[1] = r2 < 1.5 ? Math.max(2 * f, 4 * exp(-1.5)) : (4 * r2 - 2) * f;
+      return;
+    case 1:
+      out[0] = 2 * Math.sqrt(PI * (r2 + 0.5)) * f;
+      out[1] = 4 * Math.sqrt(PI) * Math.max(1, r2) * f;
+      return;
+    case 2:
+      out[0] = 2 * PI * Math.sqrt(r2 + 1) * f;
+      out[1] = PI * (4 * Math.max(1, r2) + 2) * f;
+  }
+}
 
 function line(frame: LineFrame, out: Integral): void {
   const { rho2, alpha, beta } = frame;

@@ -8,6 +8,7 @@
  */
 import { GAUSS } from '../math/gaussLegendre.ts';
 import { PI } from '../math/trig.ts';
+import type { Dimension } from './change.ts';
 import { angleOutside, clamped } from './clip.ts';
 import type { EdgeFrame, Integral, Kernel, LineFrame } from './kernel.ts';
 import { Nodes, sumLine } from './nodes.ts';
@@ -25,11 +26,36 @@ export const quartic: Kernel = {
   unit: ({ R: radius = R.default }) => radius,
   value: (r2) => (r2 < 1 ? (1 - r2) * (1 - r2) : 0),
   slope: (r2) => (r2 < 1 ? -2 * (1 - r2) : 0),
+  change: { type: 'absolute', slopes },
   line,
   edge,
   wholeLine: (r2) => (r2 < 1 ? (16 / 15) * (1 - r2) * (1 - r2) * Math.sqrt(1 - r2) : 0),
   wholePlane: (r2) => (r2 < 1 ? (PI / 3) * (1 - r2) * (1 - r2) * (1 - r2) : 0),
 };
+
+/**
+ * |f'| = 4r (1 − r²); second derivatives 4 (r² − 1) across and 12r² − 4 along. Lines: Cauchy–Schwarz with ∫ r² (1 − r²) and
+ * ∫ (1 − r²), its largest at g² = 15/16. Planes: exact.
+ */
+function slopes(dimension: Dimension, r2: number, out: Float64Array): void {
+  const g2 = Math.max(1 - r2, 0);
+  const g = Math.sqrt(g2);
+  switch (dimension) {
+    case 0:
+      out[0] = r2 < 1 / 3 ? 8 / Math.sqrt(27) : 4 * Math.sqrt(r2) * g2;
+      out[1] = g2 > 0 ? 8 : 0;
+      return;
+    case 1: {
+      const h = Math.min(g2, 15 / 16);
+      out[0] = (16 / 3) * h * Math.sqrt(h * (1 - 0.8 * h));
+      out[1] = 8 * g * Math.max(1, 2 * r2);
+      return;
+    }
+    case 2:
+      out[0] = g2 > 0 ? 8 * PI * Math.max(2 / 15 - r2 * Math.sqrt(r2) * (1 / 3 - r2 / 5), 0) : 0;
+      out[1] = g2 === 0 ? 0 : PI * (r2 < 0.5 ? 4 - 4 * r2 + 2 * r2 * r2 : 2 + 4 * r2 - 6 * r2 * r2);
+  }
+}
 
 function line(frame: LineFrame, out: Integral): void {
   const g = frame.rho2 < 1 ? Math.sqrt(1 - frame.rho2) : 0;
