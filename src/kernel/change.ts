@@ -4,8 +4,8 @@
  * Powers of a quadratic change in proportion to themselves, whatever the skel. With M² = core + r² and θ = by/M, a move takes
  * M^−n to M^−n (1 + 2xθ + θ²)^(−n/2), |x| ≤ 1: the generating function of the Gegenbauer polynomials, each largest at 1. So
  * what is left of the field after value and gradient is at most (1 − θ)^−n − 1 − nθ of it, however many points it comes from.
- * The Gaussian's ratio has no bound far away, the quartic's none at its rim: there the integrals of |f'| and of the
- * largest second derivative count, over all that is farther than the nearest point.
+ * The Gaussian's ratio has no bound far away, the quartic's none at its rim: there the derivatives in a direction count,
+ * integrated over all that is farther than the nearest point, their positive and negative parts apart.
  */
 import { halfPower } from './halfPower.ts';
 
@@ -18,12 +18,15 @@ export interface RelativeChange {
   factors(r: number, by: number, exponent: number, out: Float64Array): void;
 }
 
-/** Of a point, of a line (per unit of its weight), and of a plane. */
+/** A point, a line, a plane; the latter of weight 1. */
 export type Dimension = 0 | 1 | 2;
 
 export interface AbsoluteChange {
   readonly type: 'absolute';
-  /** Writes the most that |f'| and the largest second derivative come to over what is farther than `r`, r2 = r². */
+  /**
+   * Writes the most that first and second derivatives come to, in any direction, over what is farther than r: the larger of the
+   * positive and the negative part, so that any positive weights up to 1 are held by it, and others by its double.
+   */
   slopes(dimension: Dimension, r2: number, out: Float64Array): void;
 }
 

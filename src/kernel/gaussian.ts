@@ -17,6 +17,8 @@ import { S } from './params.ts';
 /** squared distance, beyond the nearest, at which 4e-18 is left */
 const REACH2 = 40;
 const PANEL = 3.2;
+/** r² at which (1 + 4πr²) f² is largest */
+const STEEPEST = 0.5 - 0.25 / PI;
 const nodes = new Nodes();
 
 export const gaussian: Kernel = {
@@ -37,23 +39,24 @@ export const gaussian: Kernel = {
 };
 
 /**
- * |f'| = 2r f; second derivatives −2f across and (4r² − 2) f along. Lines and planes: Cauchy–Schwarz with ∫ r² f and ∫ f, and
- * |4r² − 2| ≤ 2 + 4 (r² − 1) where r > 1.
+ * The first derivative along e is −2x f, the second (4x² − 2) f, x the part of the distance along e. Integrals over lines and
+ * planes: in closed form where x is across, half of it along; 4x² f integrates to what −2f needs to come to 2f again.
  */
 function slopes(dimension: Dimension, r2: number, out: Float64Array): void {
   const f = exp(-r2);
+  const [line, bend] = [Math.max(r2, STEEPEST), Math.max(r2, 1)];
   switch (dimension) {
     case 0:
       out[0] = r2 < 0.5 ? Math.SQRT2 * exp(-0.5) : 2 * Math.sqrt(r2) * f;
       out[1] = r2 < 1.5 ? Math.max(2 * f, 4 * exp(-1.5)) : (4 * r2 - 2) * f;
       return;
     case 1:
-      out[0] = 2 * Math.sqrt(PI * (r2 + 0.5)) * f;
-      out[1] = 4 * Math.sqrt(PI) * Math.max(1, r2) * f;
+      out[0] = Math.sqrt(1 + 4 * PI * line) * exp(-line);
+      out[1] = 2 * Math.sqrt(PI) * Math.max(f, 2 * bend * exp(-bend));
       return;
     case 2:
-      out[0] = 2 * PI * Math.sqrt(r2 + 1) * f;
-      out[1] = PI * (4 * Math.max(1, r2) + 2) * f;
+      out[0] = Math.sqrt(PI * (1 + 4 * PI * line)) * exp(-line);
+      out[1] = 2 * PI * Math.max(1 + r2, 2 * r2) * f;
   }
 }
 

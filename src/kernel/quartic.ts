@@ -15,6 +15,9 @@ import { Nodes, sumLine } from './nodes.ts';
 import { R } from './params.ts';
 
 const nodes = new Nodes();
+/** g² at which the slope of a line is largest, and of a plane */
+const STEEPEST_LINE = 2304 / 2964;
+const STEEPEST_PLANE = (16 * PI * PI) / (5 * (4 * PI * PI - 256 / 225));
 
 export const quartic: Kernel = {
   name: 'quartic',
@@ -34,8 +37,8 @@ export const quartic: Kernel = {
 };
 
 /**
- * |f'| = 4r (1 − r²); second derivatives 4 (r² − 1) across and 12r² − 4 along. Lines: Cauchy–Schwarz with ∫ r² (1 − r²) and
- * ∫ (1 − r²), its largest at g² = 15/16. Planes: exact.
+ * The first derivative along e is −4x (1 − r²), the second 8x² − 4 (1 − r²), x the part of the distance along e. Integrals over
+ * lines and planes: in closed form where x is across, half of it along; g² = 1 − r², each no less than farther away.
  */
 function slopes(dimension: Dimension, r2: number, out: Float64Array): void {
   const g2 = Math.max(1 - r2, 0);
@@ -46,14 +49,16 @@ function slopes(dimension: Dimension, r2: number, out: Float64Array): void {
       out[1] = g2 > 0 ? 8 : 0;
       return;
     case 1: {
-      const h = Math.min(g2, 15 / 16);
-      out[0] = (16 / 3) * h * Math.sqrt(h * (1 - 0.8 * h));
-      out[1] = 8 * g * Math.max(1, 2 * r2);
+      const h = Math.min(g2, STEEPEST_LINE);
+      out[0] = h * Math.sqrt(h * (256 / 9 - (247 / 9) * h));
+      out[1] = r2 < 2 / 3 ? Math.max((16 / 3) * g2 * g, 32 / Math.sqrt(27)) : 16 * g * r2;
       return;
     }
-    case 2:
-      out[0] = g2 > 0 ? 8 * PI * Math.max(2 / 15 - r2 * Math.sqrt(r2) * (1 / 3 - r2 / 5), 0) : 0;
-      out[1] = g2 === 0 ? 0 : PI * (r2 < 0.5 ? 4 - 4 * r2 + 2 * r2 * r2 : 2 + 4 * r2 - 6 * r2 * r2);
+    case 2: {
+      const h = Math.min(g2, STEEPEST_PLANE);
+      out[0] = h * h * Math.sqrt(4 * PI * PI * (1 - h) + (256 / 225) * h);
+      out[1] = 2 * PI * (r2 < 0.5 ? 1 : 4 * r2 * g2);
+    }
   }
 }
 

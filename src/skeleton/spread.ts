@@ -13,6 +13,8 @@ import type { FieldValue, Spread } from './skeleton.ts';
 
 /** of the largest field there; values are good to 1e-12 of it */
 const MARGIN = 4e-12;
+/** where that underflows */
+const LEAST = 1e-300;
 /** of distances: rounding of a box's size and of distances themselves */
 const ROUNDING = 1e-14;
 /** √floor over distance times n and a safe 2: what the clamp of singular lines changes beyond their ends */
@@ -84,13 +86,13 @@ export class Spreader {
   ): void {
     const by = radius * this.#per * (1 + ROUNDING);
     const near = Math.max(distance - by - ROUNDING * (distance + by), 0);
+    const { most, sign } = this.#extent;
+    if (most === 0 || (near >= this.#kernel.support && slack === 0)) return;
     const cap = near < this.#kernel.support ? this.most(near * near) : 0;
-    const margin = MARGIN * cap + slack;
-    if (!(margin > 0)) return;
+    const margin = MARGIN * cap + slack + LEAST;
     centre.fill(0);
     field.add(x, y, z, 1, centre);
     this.#change(distance, near, by, cap);
-    const { sign } = this.#extent;
     const low = Math.max(range[0]!, sign > 0 ? 0 : -cap) - margin;
     const high = Math.min(range[1]!, sign < 0 ? 0 : cap) + margin;
     const rest = isClear ? range[2]! + margin : Infinity;
@@ -103,20 +105,21 @@ export class Spreader {
       this.#relative(change, distance, near, by, cap);
       return;
     }
-    const { dimension, size, most } = this.#extent;
+    const { dimension, size, turns, most, sign } = this.#extent;
     const r2 = near * near;
     change.slopes(0, r2, nowhere);
     let [slope, bend] = [nowhere[0]!, nowhere[1]!];
     if (dimension > 0) {
       change.slopes(dimension, r2, slopes);
-      const turns = this.#extent.turns;
       slope = Math.min(size * slope, turns * slopes[0]!);
       bend = Math.min(size * bend, turns * slopes[1]!);
     }
-    const swing = most * slope * by;
+    // weights of both signs may add up what both parts come to
+    const weight = sign === 0 ? 2 * most : most;
+    const swing = weight * slope * by;
     range[0] = centre[0]! - swing;
     range[1] = centre[0]! + swing;
-    range[2] = 0.5 * most * bend * by * by;
+    range[2] = 0.5 * weight * bend * by * by;
   }
 
   #relative(kernelChange: RelativeChange, distance: number, near: number, by: number, cap: number): void {
