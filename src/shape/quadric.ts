@@ -92,11 +92,9 @@ export const quadric: ShapeKind<Quadric> = {
         // 2k bounds the second derivatives; f rises with g, and |f| falls with |∇g|
         const least = Math.max(slope - 2 * k * radius - rounding, 0);
         const most = slope + 2 * k * radius + rounding;
-        flatSpread(
-          taubin(g - move, g - move > 0 ? most : least, k),
-          taubin(g + move, g + move > 0 ? least : most, k),
-          out,
-        );
+        const low = taubin(g - move, g - move > 0 ? most : least, k);
+        const high = taubin(g + move, g + move > 0 ? least : most, k);
+        flatSpread(low - ROUNDING * Math.abs(low), high + ROUNDING * Math.abs(high), out);
       },
       box: boxAbove(0),
       boxAbove,
@@ -104,10 +102,10 @@ export const quadric: ShapeKind<Quadric> = {
   },
 };
 
-/** f of g and |∇g|, a little farther from 0 for its own rounding. */
+/** f of g and |∇g|. */
 function taubin(g: number, slope: number, k: number): number {
   const d = slope * slope + k * Math.abs(g);
-  return d > 0 ? (g / Math.sqrt(d)) * (1 + ROUNDING) : 0;
+  return d > 0 ? g / Math.sqrt(d) : 0;
 }
 
 /**

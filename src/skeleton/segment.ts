@@ -150,10 +150,11 @@ class SegmentField implements SkelField {
     out: Spread,
   ): void {
     this.#see(x, y, z);
-    const { alpha, beta, rho2 } = this.#frame;
+    const { alpha, beta, rho2, floor2 } = this.#frame;
     const beyond = alpha > 0 ? alpha : beta < 0 ? beta : 0;
     const distance = Math.sqrt(rho2 + beyond * beyond);
-    this.#spreader.add(field, x, y, z, radius, factor, out, distance, true, 0);
+    const isClear = floor2 === 0 || Math.sqrt(rho2) - radius * this.#per > 2 * Math.sqrt(floor2);
+    this.#spreader.add(field, x, y, z, radius, factor, out, distance, isClear, 0);
   }
 
   /** Fills the frame and the perpendicular; false where the point is beyond the support. */

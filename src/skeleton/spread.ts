@@ -70,7 +70,7 @@ export class Spreader {
 
   /**
    * Adds `factor` times the spread of `field` within `radius` mm. `distance` (kernel units) is the skel's from the centre;
-   * `isClear`: no clamp of a plate is near; `slack`: what sums over edges leave of the field elsewhere.
+   * `isClear`: nowhere is a line or a plane so near that it is clamped; `slack`: what sums over edges leave of the field elsewhere.
    */
   add(
     field: Adding,
@@ -92,17 +92,16 @@ export class Spreader {
     const margin = MARGIN * cap + slack + LEAST;
     centre.fill(0);
     field.add(x, y, z, 1, centre);
-    this.#change(distance, near, by, cap);
+    this.#change(distance, near, by, cap, isClear);
     const low = Math.max(range[0]!, sign > 0 ? 0 : -cap) - margin;
     const high = Math.min(range[1]!, sign < 0 ? 0 : cap) + margin;
-    const rest = isClear ? range[2]! + margin : Infinity;
-    write(out, factor, low, high, rest);
+    write(out, factor, low, high, range[2]! + margin);
   }
 
-  #change(distance: number, near: number, by: number, cap: number): void {
+  #change(distance: number, near: number, by: number, cap: number, isClear: boolean): void {
     const { change } = this.#kernel;
     if (change.type === 'relative') {
-      this.#relative(change, distance, near, by, cap);
+      this.#relative(change, distance, near, by, cap, isClear);
       return;
     }
     const { dimension, size, turns, most, sign } = this.#extent;
@@ -122,7 +121,14 @@ export class Spreader {
     range[2] = 0.5 * weight * bend * by * by;
   }
 
-  #relative(kernelChange: RelativeChange, distance: number, near: number, by: number, cap: number): void {
+  #relative(
+    kernelChange: RelativeChange,
+    distance: number,
+    near: number,
+    by: number,
+    cap: number,
+    isClear: boolean,
+  ): void {
     const least = Math.sqrt(this.#floor2);
     kernelChange.factors(Math.max(distance * (1 - ROUNDING), least), by, this.#exponent, change);
     const value = centre[0]!;
@@ -139,8 +145,9 @@ export class Spreader {
       range[1] = value * (value > 0 ? up : down);
       range[2] = Math.abs(value) * change[2]!;
     }
-    if (least === 0 || this.#extent.dimension === 2) return;
-    range[2] = near > least ? range[2]! + (CLAMPED * cap * least) / near : Infinity;
+    if (isClear && near >= least) return;
+    const isBeyond = this.#extent.dimension === 1 && near > least;
+    range[2] = isBeyond ? range[2]! + (CLAMPED * cap * least) / near : Infinity;
   }
 }
 
