@@ -9,13 +9,30 @@
  */
 import { halfPower } from './halfPower.ts';
 
+/** A point that moves, and what comes of it. Mutable: filled again for each box. The numbers say that these are doubles. */
+export class Step {
+  /** the distance of the skel, not more than it is */
+  r = 0.5;
+  /** how far the point moves at most */
+  by = 0.5;
+  /** the distance at which it may then be */
+  near = 0.5;
+  /** n of the power kernel */
+  exponent = 4.5;
+
+  /** by which factors the field changes; Infinity where nothing is known */
+  least = 0.5;
+  most = 0.5;
+  /** relative: what value and gradient leave out, in parts of the field; absolute: the second derivatives */
+  bend = 0.5;
+  /** absolute: the first derivatives */
+  slope = 0.5;
+}
+
 export interface RelativeChange {
   readonly type: 'relative';
-  /**
-   * Writes [least, most, bend]: by which factors the field of points all at distance ≥ `r` changes when it moves `by`, and what
-   * value and gradient leave out, in parts of it. Infinity where nothing is known.
-   */
-  factors(r: number, by: number, exponent: number, out: Float64Array): void;
+  /** Sees to least, most and bend for the field of points all at distance ≥ r. */
+  factors(step: Step): void;
 }
 
 /** A point, a line, a plane; the latter of weight 1. */
@@ -24,10 +41,10 @@ export type Dimension = 0 | 1 | 2;
 export interface AbsoluteChange {
   readonly type: 'absolute';
   /**
-   * Writes the most that first and second derivatives come to, in any direction, over what is farther than r: the larger of the
-   * positive and the negative part, so that any positive weights up to 1 are held by it, and others by its double.
+   * Sees to slope and bend: the most that derivatives come to, in any direction, over what is farther than `near`. Of the
+   * positive and the negative part the larger, which holds weights from 0 to 1; its double holds those from −1 to 1.
    */
-  slopes(dimension: Dimension, r2: number, out: Float64Array): void;
+  slopes(step: Step, dimension: Dimension): void;
 }
 
 export type Change = RelativeChange | AbsoluteChange;
@@ -39,22 +56,22 @@ const SMALL = 1e-3;
 export function powerChange(core: 0 | 1, n?: number): RelativeChange {
   return {
     type: 'relative',
-    factors(r, by, exponent, out) {
-      const power = n ?? exponent;
+    factors(step) {
+      const { r, by } = step;
+      const power = n ?? step.exponent;
       // where the ratios of M are extreme, if that is farther than r
       const root = Math.sqrt(by * by + 4 * core);
       const high = Math.max(r, 0.5 * (root + by));
       const low = Math.max(r, 0.5 * (root - by));
       const near = Math.max(high - by, 0);
-      out[0] = ratio(core + (low + by) * (low + by), core + low * low, power);
-      out[1] = core + near * near > 0 ? ratio(core + near * near, core + high * high, power) : Infinity;
+      const after = core + near * near;
+      step.least = halfPower((core + (low + by) * (low + by)) / (core + low * low), power);
+      step.most = after > 0 ? halfPower(after / (core + high * high), power) : Infinity;
       const theta = by / Math.sqrt(core + r * r);
-      out[2] = theta < 1 ? bend(theta, power) : Infinity;
+      step.bend = theta < 1 ? bend(theta, power) : Infinity;
     },
   };
 }
-
-const ratio = (after: number, before: number, n: number) => halfPower(after / before, n);
 
 function bend(theta: number, n: number): number {
   const left = 1 - theta;

@@ -8,7 +8,7 @@
  */
 import { GAUSS } from '../math/gaussLegendre.ts';
 import { PI } from '../math/trig.ts';
-import type { Dimension } from './change.ts';
+import type { Dimension, Step } from './change.ts';
 import { angleOutside, clamped } from './clip.ts';
 import type { EdgeFrame, Integral, Kernel, LineFrame } from './kernel.ts';
 import { Nodes, sumLine } from './nodes.ts';
@@ -40,24 +40,25 @@ export const quartic: Kernel = {
  * The first derivative along e is −4x (1 − r²), the second 8x² − 4 (1 − r²), x the part of the distance along e. Integrals over
  * lines and planes: in closed form where x is across, half of it along; g² = 1 − r², each no less than farther away.
  */
-function slopes(dimension: Dimension, r2: number, out: Float64Array): void {
+function slopes(step: Step, dimension: Dimension): void {
+  const r2 = step.near * step.near;
   const g2 = Math.max(1 - r2, 0);
   const g = Math.sqrt(g2);
   switch (dimension) {
     case 0:
-      out[0] = r2 < 1 / 3 ? 8 / Math.sqrt(27) : 4 * Math.sqrt(r2) * g2;
-      out[1] = g2 > 0 ? 8 : 0;
+      step.slope = r2 < 1 / 3 ? 8 / Math.sqrt(27) : 4 * Math.sqrt(r2) * g2;
+      step.bend = g2 > 0 ? 8 : 0;
       return;
     case 1: {
       const h = Math.min(g2, STEEPEST_LINE);
-      out[0] = h * Math.sqrt(h * (256 / 9 - (247 / 9) * h));
-      out[1] = r2 < 2 / 3 ? Math.max((16 / 3) * g2 * g, 32 / Math.sqrt(27)) : 16 * g * r2;
+      step.slope = h * Math.sqrt(h * (256 / 9 - (247 / 9) * h));
+      step.bend = r2 < 2 / 3 ? Math.max((16 / 3) * g2 * g, 32 / Math.sqrt(27)) : 16 * g * r2;
       return;
     }
     case 2: {
       const h = Math.min(g2, STEEPEST_PLANE);
-      out[0] = h * h * Math.sqrt(4 * PI * PI * (1 - h) + (256 / 225) * h);
-      out[1] = 2 * PI * (r2 < 0.5 ? 1 : 4 * r2 * g2);
+      step.slope = h * h * Math.sqrt(4 * PI * PI * (1 - h) + (256 / 225) * h);
+      step.bend = 2 * PI * (r2 < 0.5 ? 1 : 4 * r2 * g2);
     }
   }
 }

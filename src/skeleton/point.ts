@@ -29,6 +29,7 @@ function bind({ at, weight }: PointSkel, kernel: Kernel, params: KernelParams): 
     turns: 1,
     most: Math.abs(factor),
     sign: Math.sign(factor),
+    evenness: 1,
   } as const;
   const spreader = new Spreader(kernel, exponent, extent, per);
   const squared = (x: number, y: number, z: number): number => {

@@ -43,6 +43,7 @@ function bind(skel: PolygonSkel, kernel: Kernel, params: KernelParams): SkelFiel
     turns: region.turns,
     most: Math.abs(factor),
     sign: region.isOneWay ? Math.sign(factor) : 0,
+    evenness: 1,
   } as const;
   const frame = new EdgeFrame();
   frame.exponent = checked.n ?? frame.exponent;

@@ -6,7 +6,7 @@
  * says less than the interval, and is replaced by it: the middle, no gradient, half the width. So one near skel does not spoil
  * a sum of far ones.
  */
-import type { Dimension, RelativeChange } from '../kernel/change.ts';
+import { type AbsoluteChange, type Dimension, type RelativeChange, Step } from '../kernel/change.ts';
 import type { Kernel } from '../kernel/kernel.ts';
 import { mostOfLine, mostOfPlate } from '../kernel/most.ts';
 import type { FieldValue, Spread } from './skeleton.ts';
@@ -19,6 +19,10 @@ const LEAST = 1e-300;
 const ROUNDING = 1e-14;
 /** √floor over distance times n and a safe 2: what the clamp of singular lines changes beyond their ends */
 const CLAMPED = 12;
+
+/** Boxes from which the field is less than so often the largest in them need no bound for what is nearer, if w is even. */
+const FAR = 3;
+const EVEN = 100;
 
 interface Adding {
   add(x: number, y: number, z: number, factor: number, out: FieldValue): void;
@@ -34,29 +38,30 @@ export interface Extent {
   readonly most: number;
   /** 1 or −1 where w has one sign, else 0 */
   readonly sign: number;
+  /** the largest |w| over the least, Infinity where that is not known */
+  readonly evenness: number;
 }
 
-const change = new Float64Array(3);
-const slopes = new Float64Array(2);
-const nowhere = new Float64Array(2);
+const step = new Step();
 const centre = new Float64Array(4);
-/** low, high, rest of one skel */
+/** [low, high, rest] of one skel */
 const range = new Float64Array(3);
 
 export class Spreader {
   readonly #kernel: Kernel;
   readonly #exponent: number;
   readonly #extent: Extent;
-  readonly #floor2: number;
+  /** kernel units of a millimetre */
   readonly #per: number;
+  readonly #least: number;
 
-  /** `per`: kernel units of a millimetre. */
   constructor(kernel: Kernel, exponent: number, extent: Extent, per: number) {
     this.#kernel = kernel;
     this.#exponent = exponent;
     this.#extent = extent;
-    this.#floor2 = extent.dimension === 2 ? kernel.floor2.plate : kernel.floor2.line;
     this.#per = per;
+    const { floor2 } = kernel;
+    this.#least = Math.sqrt(extent.dimension === 2 ? floor2.plate : floor2.line);
   }
 
   /** The largest |F| at that squared distance or farther. */
@@ -65,7 +70,7 @@ export class Spreader {
     const n = this.#exponent;
     if (dimension === 1) return most * mostOfLine(this.#kernel, r2, size, n);
     if (dimension === 2) return most * mostOfPlate(this.#kernel, r2, size, turns, n);
-    return most * this.#kernel.value(Math.max(r2, this.#floor2), n);
+    return most * this.#kernel.value(Math.max(r2, this.#least * this.#least), n);
   }
 
   /**
@@ -84,78 +89,88 @@ export class Spreader {
     isClear: boolean,
     slack: number,
   ): void {
+    const { change, support } = this.#kernel;
     const by = radius * this.#per * (1 + ROUNDING);
     const near = Math.max(distance - by - ROUNDING * (distance + by), 0);
-    const { most, sign } = this.#extent;
-    if (most === 0 || (near >= this.#kernel.support && slack === 0)) return;
-    const cap = near < this.#kernel.support ? this.most(near * near) : 0;
-    const margin = MARGIN * cap + slack + LEAST;
+    if (this.#extent.most === 0 || (near >= support && slack === 0)) return;
+    step.r = Math.max(distance * (1 - ROUNDING), this.#least);
+    step.by = by;
+    step.near = near;
+    step.exponent = this.#exponent;
     centre.fill(0);
     field.add(x, y, z, 1, centre);
-    this.#change(distance, near, by, cap, isClear);
-    const low = Math.max(range[0]!, sign > 0 ? 0 : -cap) - margin;
-    const high = Math.min(range[1]!, sign < 0 ? 0 : cap) + margin;
-    write(out, factor, low, high, range[2]! + margin);
+    if (change.type === 'relative') this.#relative(change, isClear, slack);
+    else this.#absolute(change, slack);
+    write(out, factor);
   }
 
-  #change(distance: number, near: number, by: number, cap: number, isClear: boolean): void {
-    const { change } = this.#kernel;
-    if (change.type === 'relative') {
-      this.#relative(change, distance, near, by, cap, isClear);
+  #relative(change: RelativeChange, isClear: boolean, slack: number): void {
+    const { sign, dimension, evenness } = this.#extent;
+    const value = centre[0]!;
+    change.factors(step);
+    if (sign !== 0 && step.most < FAR && evenness < EVEN && isClear) {
+      // too far for any other bound
+      const size = Math.abs(value);
+      const margin = MARGIN * evenness * size * step.most + slack + LEAST;
+      const [least, most] = [sign * size * step.least, sign * size * step.most];
+      range[0] = Math.min(least, most) - margin;
+      range[1] = Math.max(least, most) + margin;
+      range[2] = size * step.bend + margin;
       return;
     }
-    const { dimension, size, turns, most, sign } = this.#extent;
-    const r2 = near * near;
-    change.slopes(0, r2, nowhere);
-    let [slope, bend] = [nowhere[0]!, nowhere[1]!];
-    if (dimension > 0) {
-      change.slopes(dimension, r2, slopes);
-      slope = Math.min(size * slope, turns * slopes[0]!);
-      bend = Math.min(size * bend, turns * slopes[1]!);
+    const { near } = step;
+    const cap = this.most(near * near);
+    const up = Math.min(step.most, 1e300);
+    // whatever the signs, both parts of the field are within this
+    const whole = sign === 0 ? this.most(step.r * step.r) : Math.abs(value);
+    const swing = whole * Math.max(up - 1, 1 - step.least);
+    range[0] = sign > 0 ? value * step.least : value - swing;
+    range[1] = sign < 0 ? value * step.least : value + swing;
+    range[2] = whole * step.bend;
+    if (!isClear || near < this.#least) {
+      const isBeyond = dimension === 1 && near > this.#least;
+      range[2] = isBeyond ? range[2]! + (CLAMPED * cap * this.#least) / near : Infinity;
     }
-    // weights of both signs may add up what both parts come to
-    const weight = sign === 0 ? 2 * most : most;
-    const swing = weight * slope * by;
-    range[0] = centre[0]! - swing;
-    range[1] = centre[0]! + swing;
-    range[2] = 0.5 * weight * bend * by * by;
+    this.#cut(cap, slack);
   }
 
-  #relative(
-    kernelChange: RelativeChange,
-    distance: number,
-    near: number,
-    by: number,
-    cap: number,
-    isClear: boolean,
-  ): void {
-    const least = Math.sqrt(this.#floor2);
-    kernelChange.factors(Math.max(distance * (1 - ROUNDING), least), by, this.#exponent, change);
-    const value = centre[0]!;
-    const down = change[0]!;
-    const up = Math.min(change[1]!, 1e300);
-    if (this.#extent.sign === 0) {
-      const whole = this.most(distance * distance);
-      const swing = whole * Math.max(up - 1, 1 - down);
-      range[0] = value - swing;
-      range[1] = value + swing;
-      range[2] = whole * change[2]!;
-    } else {
-      range[0] = value * (value > 0 ? down : up);
-      range[1] = value * (value > 0 ? up : down);
-      range[2] = Math.abs(value) * change[2]!;
+  #absolute(change: AbsoluteChange, slack: number): void {
+    const { dimension, size, turns, most, sign } = this.#extent;
+    change.slopes(step, 0);
+    let { slope, bend } = step;
+    if (dimension > 0) {
+      change.slopes(step, dimension);
+      slope = Math.min(size * slope, turns * step.slope);
+      bend = Math.min(size * bend, turns * step.bend);
     }
-    if (isClear && near >= least) return;
-    const isBeyond = this.#extent.dimension === 1 && near > least;
-    range[2] = isBeyond ? range[2]! + (CLAMPED * cap * least) / near : Infinity;
+    // weights of both signs may add up what both parts come to
+    const by = (sign === 0 ? 2 * most : most) * step.by;
+    range[0] = centre[0]! - by * slope;
+    range[1] = centre[0]! + by * slope;
+    range[2] = 0.5 * by * step.by * bend;
+    const { near } = step;
+    this.#cut(near < this.#kernel.support ? this.most(near * near) : 0, slack);
+  }
+
+  /** No more than the skel can have, and the margins. */
+  #cut(cap: number, slack: number): void {
+    const { sign } = this.#extent;
+    const margin = MARGIN * cap + slack + LEAST;
+    range[0] = Math.max(range[0]!, sign > 0 ? 0 : -cap) - margin;
+    range[1] = Math.min(range[1]!, sign < 0 ? 0 : cap) + margin;
+    range[2] = range[2]! + margin;
   }
 }
 
-function write(out: Spread, factor: number, low: number, high: number, rest: number): void {
+function write(out: Spread, factor: number): void {
+  const [low, high, rest] = [range[0]!, range[1]!, range[2]!];
   const size = Math.abs(factor);
   const half = 0.5 * (high - low);
   if (rest < half) {
-    for (let i = 0; i < 4; i++) out[i] = out[i]! + factor * centre[i]!;
+    out[0] = out[0]! + factor * centre[0]!;
+    out[1] = out[1]! + factor * centre[1]!;
+    out[2] = out[2]! + factor * centre[2]!;
+    out[3] = out[3]! + factor * centre[3]!;
     out[4] = out[4]! + size * rest;
   } else {
     out[0] = out[0]! + factor * (low + half);

@@ -6,6 +6,8 @@ export interface WeightRange {
   readonly most: number;
   /** 1 or −1 where w surely has no other sign */
   readonly sign: number;
+  /** not less than the largest |w| over the least */
+  readonly evenness: number;
 }
 
 export function weightRange({ weights: w, length: l }: LineFrame): WeightRange {
@@ -13,5 +15,6 @@ export function weightRange({ weights: w, length: l }: LineFrame): WeightRange {
   const b = [a0, a0 + a1 / 3, a0 + (2 * a1 + a2) / 3, a0 + a1 + a2 + a3];
   const [low, high] = [Math.min(...b), Math.max(...b)];
   const sign = low >= 0 ? 1 : high <= 0 ? -1 : 0;
-  return { most: Math.max(high, -low), sign };
+  const most = Math.max(high, -low);
+  return { most, sign, evenness: sign === 0 ? Infinity : most / Math.min(Math.abs(low), Math.abs(high)) };
 }

@@ -166,7 +166,9 @@ describe('the spread of a skel', () => {
         for (const p of pointsAround(skel, SEED + i, 2)) {
           const [low, high] = rangeOf(field, p, 0);
           const scale = Math.abs(field.value(...p)) + scaleOf(skel, variant, p).size;
-          expect(high - low).toBeLessThanOrEqual(1e-10 * scale + 1e-299);
+          expect(high - low, `${variant.title} ${JSON.stringify(skel)} ${p}`).toBeLessThanOrEqual(
+            1e-9 * scale + 1e-299,
+          );
         }
       });
     }
