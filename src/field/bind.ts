@@ -18,7 +18,7 @@ import { morph } from './morph.ts';
 import type { Colour, FieldNode, SetNode, ShapeNode, SkelsNode, Term } from './node.ts';
 import { type BoundTerm, checkThreshold, skelSum } from './skelSum.ts';
 import { smoothUnion } from './smoothUnion.ts';
-import type { TreeField } from './treeField.ts';
+import type { LeafField, TreeField } from './treeField.ts';
 import { bindWarped } from './warp.ts';
 
 /** Of nodes that have none, linear: the grey of unpainted clay. */
@@ -78,7 +78,7 @@ function bindSet(
   return combined(fields, operation, type);
 }
 
-function bindShapeNode({ shape, colour }: ShapeNode): TreeField {
+function bindShapeNode({ shape, colour }: ShapeNode): LeafField {
   const field = at('shape', () => bindShape(shape));
   return coloured(
     field,
@@ -86,7 +86,7 @@ function bindShapeNode({ shape, colour }: ShapeNode): TreeField {
   );
 }
 
-function bindSkels(node: SkelsNode): TreeField {
+function bindSkels(node: SkelsNode): LeafField {
   const kernel = kernelNamed(node.kernel);
   if (!kernel) throw new FieldError(`unknown kernel '${node.kernel}'`);
   at('params', () => checkParams(kernel, node.params));

@@ -4,7 +4,7 @@
  * mm for shapes, field for F − T.
  */
 import { FieldError } from '../skeleton/skeleton.ts';
-import type { Operation } from './operation.ts';
+import { type Operation, ROUNDING } from './operation.ts';
 import { smoothUnion, smoothUnionValue } from './smoothUnion.ts';
 
 export interface BlendAmounts {
@@ -25,7 +25,18 @@ export function blendUnion({ a0, a1, a2 }: BlendAmounts): Operation {
     const v = b / a2;
     return a0 / (1 + u * u + v * v);
   };
+  /** of the bump: largest where both operands are nearest to 0 */
+  const near = (x: Float64Array) => Math.max(x[0]!, -x[1]!, 0);
+  const far = (x: Float64Array) => Math.max(-x[0]!, x[1]!);
   return {
+    range(a, b, out) {
+      const top = bump(near(a), near(b));
+      const foot = bump(far(a), far(b));
+      smoothUnion.range(a, b, out);
+      const margin = ROUNDING * (Math.abs(a0) + Math.abs(out[0]!) + Math.abs(out[1]!));
+      out[0] = out[0]! + Math.min(top, foot) - margin;
+      out[1] = out[1]! + Math.max(top, foot) + margin;
+    },
     value: (a, b) => smoothUnionValue(a, b) + bump(a, b),
     evaluate(a, b, out) {
       smoothUnion.evaluate(a, b, out);

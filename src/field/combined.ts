@@ -36,6 +36,7 @@ class Combined implements TreeField {
   readonly #sign: number;
   readonly #partials = new Float64Array(3);
   readonly #scratch = new Float64Array(4);
+  readonly #range = new Float64Array(2);
   readonly box: Box | null;
 
   constructor(first: TreeField, rest: readonly TreeField[], operation: Operation, kind: Kind) {
@@ -91,6 +92,18 @@ class Combined implements TreeField {
     return value;
   }
 
+  range(x: number, y: number, z: number, half: number, out: Float64Array): void {
+    const other = this.#range;
+    this.#first.range(x, y, z, half, out);
+    for (const part of this.#rest) {
+      part.range(x, y, z, half, other);
+      signed(this.#outer, out);
+      signed(this.#sign, other);
+      this.#operation.range(out, other, out);
+      signed(this.#outer, out);
+    }
+  }
+
   boxAbove(level: number): Box | null {
     if (this.#kind === 'subtraction') return this.#first.boxAbove(level);
     if (this.#kind === 'intersection') {
@@ -104,4 +117,12 @@ class Combined implements TreeField {
     });
     return boxes.reduce(unite, this.#first.boxAbove(reached));
   }
+}
+
+/** An interval, turned where the sign is −1. */
+function signed(sign: number, range: Float64Array): void {
+  if (sign > 0) return;
+  const low = range[0]!;
+  range[0] = -range[1]!;
+  range[1] = -low;
 }

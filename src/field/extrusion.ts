@@ -6,7 +6,7 @@
  */
 import { pow } from '../math/pow.ts';
 import { FieldError } from '../skeleton/skeleton.ts';
-import type { Section } from './section.ts';
+import { risingMove, type Section } from './section.ts';
 
 export interface Extrusion {
   readonly type: 'extrusion';
@@ -23,6 +23,7 @@ export function extrusion({ exponent }: Extrusion): Section {
     const beyond = y / highest;
     return Math.abs(beyond) <= 1 ? pow(Math.abs(y), exponent) : MOST * beyond * beyond;
   };
+  const generic = (x: number, y: number) => Math.sqrt(x * x + power(y));
   return {
     value(x, y) {
       const rho2 = x * x + y * y;
@@ -38,6 +39,10 @@ export function extrusion({ exponent }: Extrusion): Section {
       out[0] = m;
       out[1] = half * 2 * x * (1 - m2);
       out[2] = half * (steep - 2 * y * m2);
+    },
+    move(x, y, m, rx, ry, out) {
+      out[0] = risingMove(generic, x, y, m * Math.sqrt(x * x + y * y), rx, ry);
+      out[1] = Infinity;
     },
     extent: (r) => [r, r * r < MOST ? pow(r, 2 / exponent) : highest * (r / Math.sqrt(MOST))],
   };

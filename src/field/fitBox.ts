@@ -1,44 +1,59 @@
 /**
- * The box of what a lattice finds inside. A field's own box is a bound, which for kernels that fall slowly is many times
- * larger than the body: a lattice over it would spend its nodes on air.
+ * The box of a body, nearly: its own is a bound, which for kernels that fall slowly is many times larger, and a lattice over it
+ * would spend its nodes on air. Cubes over it that are proven to hold nothing (TreeField.range) go, the others are halved, until
+ * they are small beside what is left. Tried before: the box of what a coarse lattice finds inside, which lost legs thinner than a cell.
  */
+import type { Vec3 } from '../math/vec.ts';
 import { type Box, FieldError } from '../skeleton/skeleton.ts';
-import { grown, meet } from './boxes.ts';
-import { type Lattice, type LatticeValues, latticeAround, sampling } from './lattice.ts';
+import { grown, meet, unite } from './boxes.ts';
+import type { Lattice, LatticeValues } from './lattice.ts';
 import type { TreeField } from './treeField.ts';
 
-/** cells along the box: 14 000 values a round */
-const COARSE = 24;
-/** the box of 1/r is at worst some hundred times larger than its body */
-const ROUNDS = 6;
-/** a box that shrinks by less is good */
-const SHRINKS = 0.85;
+/** of the longest side of what is left: how large the last cubes are */
+const FINE = 1 / 24;
+/** cubes of a level; more say nothing that is worth their time */
+const MOST_CUBES = 1 << 16;
 
-/** steps around the greatest value in which a body is looked for that fell between all nodes */
-const NEAR = 2;
-
-/**
- * Much of the body, if anything of it was found: what is thinner than a cell may stick out, and lies across the border of the
- * finer lattice then (see `crossed`). Where nothing is inside, what is nearest to it is looked at more closely; pieces
- * that are both apart from the others and small may be lost. Yields once a layer.
- */
-export function* fitting(field: TreeField, box: Box): Generator<number, Box> {
-  let around = box;
-  for (let round = 0; round < ROUNDS; round++) {
-    const lattice = latticeAround(around, COARSE);
-    const values = yield* sampling(field, lattice);
-    const found = insideBox(lattice, values);
-    if (!found) {
-      around = aboutGreatest(lattice, values);
-      continue;
+/** Holds all that is inside of `box`; null where that is nothing. Yields once a level. */
+export function* fitting(field: TreeField, box: Box): Generator<number, Box | null> {
+  let half = longest(box) / 2;
+  let cubes: readonly Vec3[] = [middleOf(box)];
+  let solid: Box | null = null;
+  const range = new Float64Array(2);
+  for (;;) {
+    const open: Vec3[] = [];
+    for (const centre of cubes) {
+      field.range(...centre, half, range);
+      if (range[1]! <= 0) continue;
+      if (range[0]! > 0) solid = around(solid, centre, half);
+      else open.push(centre);
     }
-    // never flat: both are bounds of the same body
-    const tight = meet(grown(found, lattice.step), around) ?? around;
-    if (longest(tight) > SHRINKS * longest(around)) return tight;
-    around = tight;
+    const left = open.reduce<Box | null>((all, centre) => around(all, centre, half), solid);
+    if (!left) return null;
+    if (2 * half <= FINE * longest(left) || open.length > MOST_CUBES || open.length === 0) {
+      return meet(left, box);
+    }
+    yield 2 * half;
+    half /= 2;
+    cubes = open.flatMap((centre) => eighths(centre, half));
   }
-  return around;
 }
+
+const middleOf = ({ min, max }: Box): Vec3 => [
+  (min[0] + max[0]) / 2,
+  (min[1] + max[1]) / 2,
+  (min[2] + max[2]) / 2,
+];
+
+function around(box: Box | null, centre: Vec3, half: number): Box {
+  const own = grown({ min: centre, max: centre }, half);
+  return (box && unite(box, own)) ?? own;
+}
+
+const eighths = ([x, y, z]: Vec3, half: number): Vec3[] =>
+  [-half, half].flatMap((dx) =>
+    [-half, half].flatMap((dy) => [-half, half].map((dz): Vec3 => [x + dx, y + dy, z + dz])),
+  );
 
 /** The box grown by a quarter on the sides where the inside reaches the lattice's border; null where it does not. */
 export function crossed(box: Box, lattice: Lattice, values: LatticeValues): Box | null {
@@ -57,16 +72,6 @@ export function crossed(box: Box, lattice: Lattice, values: LatticeValues): Box 
   const larger = { min: of('min'), max: of('max') };
   if (!larger.max.every(Number.isFinite)) throw new FieldError('the body has no end');
   return leaves ? larger : null;
-}
-
-function aboutGreatest({ origin, step, counts: [nx, ny] }: Lattice, values: LatticeValues): Box {
-  let best = 0;
-  values.forEach((value, i) => {
-    if (value > values[best]!) best = i;
-  });
-  const [i, j, k] = [best % nx, Math.floor(best / nx) % ny, Math.floor(best / (nx * ny))];
-  const at = [origin[0] + i * step, origin[1] + j * step, origin[2] + k * step] as const;
-  return grown({ min: at, max: at }, NEAR * step);
 }
 
 function insideBox({ origin, step, counts }: Lattice, values: LatticeValues): Box | null {

@@ -1,5 +1,5 @@
 /** The larger of the two (Ricci): exact for distances outside, with an edge where both are equal; there a's gradient. */
-import type { Operation } from './operation.ts';
+import { monotone, type Operation } from './operation.ts';
 
 export const hardUnion: Operation = {
   value: (a, b) => Math.max(a, b),
@@ -8,5 +8,6 @@ export const hardUnion: Operation = {
     out[1] = a >= b ? 1 : 0;
     out[2] = a >= b ? 0 : 1;
   },
+  range: monotone(Math.max),
   reach: (level) => -level,
 };

@@ -6,7 +6,7 @@
 import { fastAtan2 } from '../math/atan.ts';
 import { TAU } from '../math/trig.ts';
 import { FieldError } from '../skeleton/skeleton.ts';
-import type { Section } from './section.ts';
+import { radialMove, type Section } from './section.ts';
 
 export interface PolarProfile {
   readonly type: 'polar';
@@ -30,6 +30,8 @@ export function polarProfile({ radii }: PolarProfile): Section {
   });
   const control = controlRadii(radii);
   const largest = Math.max(...radii);
+  const smallest = Math.min(...radii);
+  const { steepest, bend } = slopesOf(control, smallest);
   return {
     value(x, y) {
       if (x === 0 && y === 0) return 1;
@@ -65,8 +67,40 @@ export function polarProfile({ radii }: PolarProfile): Section {
       out[1] = around * y;
       out[2] = -around * x;
     },
+    move(x, y, m, rx, ry, out) {
+      const rho = Math.sqrt(x * x + y * y);
+      const by = Math.max(rx, ry);
+      const sine = by < rho ? by / rho : 1;
+      const swing = sine < 0.9 ? (steepest * sine) / Math.sqrt(1 - sine * sine) : Infinity;
+      const least = Math.max(smallest, 1 / m - swing);
+      const most = Math.min(largest, 1 / m + swing);
+      out[0] = radialMove(rho, by, m * rho, Math.max(rho - by, 0) / most, (rho + by) / least);
+      out[1] = by < rho ? (0.5 * bend * by * by) / (rho - by) : Infinity;
+    },
     extent: (r) => [r * largest, r * largest],
   };
+}
+
+/**
+ * Bounds on |R'|, and on √(m''² + 4 m'²), m = 1/R: q' = ρ h(θ), whose second derivative around is (h'' + h)/ρ, h'' + h having
+ * the parts m'' and 2 m' along and across, and whose others are 0.
+ */
+function slopesOf(
+  control: Float64Array,
+  smallest: number,
+): { readonly steepest: number; readonly bend: number } {
+  let steepest = 0;
+  let second = 0;
+  for (let i = 0; i < control.length; i += 4) {
+    const [r0, r1, r2, r3] = [control[i]!, control[i + 1]!, control[i + 2]!, control[i + 3]!];
+    steepest = Math.max(steepest, Math.abs(r1 - r0), Math.abs(r2 - r1), Math.abs(r3 - r2));
+    second = Math.max(second, Math.abs(r2 - 2 * r1 + r0), Math.abs(r3 - 2 * r2 + r1));
+  }
+  const slope = 3 * TURN * steepest;
+  const curve = 6 * TURN * TURN * second;
+  const m1 = slope / (smallest * smallest);
+  const m2 = curve / (smallest * smallest) + (2 * slope * slope) / (smallest * smallest * smallest);
+  return { steepest: slope, bend: Math.sqrt(m2 * m2 + 4 * m1 * m1) };
 }
 
 /** Four for each segment, its joints included. */

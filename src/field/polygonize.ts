@@ -8,8 +8,9 @@
  */
 
 import type { Box } from '../skeleton/skeleton.ts';
+import { culledSampling } from './culledSampling.ts';
 import { crossed, fitting } from './fitBox.ts';
-import { type Lattice, type LatticeValues, latticeAround, sampling } from './lattice.ts';
+import { type Lattice, type LatticeValues, latticeAround } from './lattice.ts';
 import type { FieldMesh } from './latticeMesh.ts';
 import { meshing } from './latticeMesh.ts';
 import type { TreeField } from './treeField.ts';
@@ -35,7 +36,7 @@ const ROUNDS = 6;
 
 /** Runs to the end; see `polygonizing`. */
 export function polygonize(field: TreeField, resolution: number, box: Box | null = field.box): Polygonized {
-  const work = polygonizing(field, resolution, sampling, box);
+  const work = polygonizing(field, resolution, culledSampling, box);
   for (;;) {
     const { done, value } = work.next();
     if (done) return value;
@@ -53,7 +54,8 @@ export function* polygonizing<Wait>(
   box: Box | null = field.box,
 ): Generator<number | Wait, Polygonized> {
   const counted = new Counted(field);
-  let around = box ? yield* fitting(counted, box) : PAGE;
+  // a lattice where nothing is makes an empty mesh
+  let around = box ? ((yield* fitting(counted, box)) ?? box) : PAGE;
   for (let round = 0; ; round++) {
     const lattice = latticeAround(around, resolution);
     const values = yield* sampler(counted, lattice);
@@ -90,6 +92,11 @@ class Counted implements TreeField {
   colour(x: number, y: number, z: number, out: Float64Array): number {
     this.evaluations++;
     return this.#field.colour(x, y, z, out);
+  }
+
+  range(x: number, y: number, z: number, half: number, out: Float64Array): void {
+    this.evaluations++;
+    this.#field.range(x, y, z, half, out);
   }
 
   boxAbove(level: number): Box | null {

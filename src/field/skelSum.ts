@@ -2,10 +2,18 @@
  * Σ λ_i F_i − T. The colour is the mean of those of the skels, weighted by what they add to the field beyond a thousandth of T:
  * less is not seen, and in float32 it may be a residue of either sign. What carves has no colour.
  */
-import { type Box, FieldError, type FieldValue, type SkelField } from '../skeleton/skeleton.ts';
+import {
+  type Box,
+  FieldError,
+  type FieldValue,
+  type SkelField,
+  SPREAD,
+  type Spread,
+} from '../skeleton/skeleton.ts';
 import { grown, unite } from './boxes.ts';
+import { AROUND, closed } from './closed.ts';
 import type { Colour } from './node.ts';
-import type { TreeField } from './treeField.ts';
+import type { LeafField } from './treeField.ts';
 
 export interface BoundTerm {
   readonly field: SkelField;
@@ -20,17 +28,20 @@ export function checkThreshold(threshold: number): void {
 }
 
 /** FieldError when there is nothing to add. */
-export function skelSum(terms: readonly BoundTerm[], threshold: number): TreeField {
+export function skelSum(terms: readonly BoundTerm[], threshold: number): LeafField {
   if (terms.length === 0) throw new FieldError('a body needs at least one skel');
   return new SkelSum(terms, threshold);
 }
 
 /** of T */
 const UNSEEN = 1e-3;
+/** of T and the sum */
+const ROUNDING = 4e-15;
 
-class SkelSum implements TreeField {
+class SkelSum implements LeafField {
   readonly #terms: readonly BoundTerm[];
   readonly #threshold: number;
+  readonly #spread = new Float64Array(SPREAD);
   readonly box: Box | null;
 
   constructor(terms: readonly BoundTerm[], threshold: number) {
@@ -73,6 +84,23 @@ class SkelSum implements TreeField {
     // beyond every support: no surface comes here
     if (weight === 0) out.set(this.#terms[0]!.colour);
     return sum;
+  }
+
+  spread(x: number, y: number, z: number, radius: number, out: Spread): void {
+    const threshold = this.#threshold;
+    out.fill(0);
+    for (const { field, factor } of this.#terms) field.spread(x, y, z, radius, factor, out);
+    // beyond every support nothing is rounded
+    const margin = out[4]! > 0 ? ROUNDING * (threshold + Math.abs(out[0]!)) : 0;
+    out[0] = out[0]! - threshold;
+    out[4] = out[4]! + margin;
+    out[5] = out[5]! - threshold - margin;
+    out[6] = out[6]! - threshold + margin;
+  }
+
+  range(x: number, y: number, z: number, half: number, out: Float64Array): void {
+    this.spread(x, y, z, AROUND * half, this.#spread);
+    closed(this.#spread, half, out);
   }
 
   /** Beyond every skel's own box its term is below its even share of T + level. */

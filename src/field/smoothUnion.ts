@@ -5,7 +5,7 @@
  * Departure: where a + b < 0 it is 2 a b / (a + b − q), which does not cancel: as printed the sign is wrong in 1.5e-4 of
  * log-uniform pairs in float32 (FIELD-NOTES §5). q is scaled by the larger operand, or squares under- and overflow.
  */
-import type { Operation } from './operation.ts';
+import { monotone, type Operation } from './operation.ts';
 
 export const smoothUnion: Operation = {
   value: smoothUnionValue,
@@ -16,6 +16,7 @@ export const smoothUnion: Operation = {
     out[1] = q > 0 ? share(a, b, q) : 1;
     out[2] = q > 0 ? share(b, a, q) : 1;
   },
+  range: monotone(smoothUnionValue),
   // a = b is the worst case
   reach: (level) => -level / (2 - Math.SQRT2),
 };

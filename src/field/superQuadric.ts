@@ -8,7 +8,7 @@
  */
 import { pow } from '../math/pow.ts';
 import { FieldError } from '../skeleton/skeleton.ts';
-import type { Section } from './section.ts';
+import { risingMove, type Section } from './section.ts';
 
 export interface SuperQuadric {
   readonly type: 'superQuadric';
@@ -23,6 +23,11 @@ export function superQuadric({ exponent }: SuperQuadric): Section {
   if (!(exponent >= 0.3 && exponent <= 100))
     throw new FieldError(`exponent must be 0.3–100, got ${exponent}`);
   const stretch = (t: number, s: number) => pow(1 + s, 1 / exponent) / Math.sqrt(1 + t * t);
+  const generic = (x: number, y: number) => {
+    const large = Math.max(x, y);
+    const t = large === 0 ? 0 : Math.min(x, y) / large;
+    return large * pow(1 + pow(t, exponent), 1 / exponent);
+  };
   return {
     value(x, y) {
       const large = Math.max(Math.abs(x), Math.abs(y));
@@ -45,6 +50,10 @@ export function superQuadric({ exponent }: SuperQuadric): Section {
       out[0] = m;
       out[1] = wide ? alongLarge : alongSmall;
       out[2] = wide ? alongSmall : alongLarge;
+    },
+    move(x, y, m, rx, ry, out) {
+      out[0] = risingMove(generic, x, y, m * Math.sqrt(x * x + y * y), rx, ry);
+      out[1] = Infinity;
     },
     extent: (r) => [r, r],
   };

@@ -8,7 +8,14 @@
  */
 import { cross3, dot3, length3, scale3, sub3 } from '../math/tuple.ts';
 import type { Vec3 } from '../math/vec.ts';
-import { type Box, FieldError, type FieldValue, type SkelField } from '../skeleton/skeleton.ts';
+import {
+  type Box,
+  FieldError,
+  type FieldValue,
+  type SkelField,
+  SPREAD,
+  type Spread,
+} from '../skeleton/skeleton.ts';
 import type { Skel } from '../skeleton/skels.ts';
 import { type Affine, mappedBox } from './affine.ts';
 import { type Extrusion, extrusion } from './extrusion.ts';
@@ -97,6 +104,9 @@ function direction(v: Vec3 | undefined, message: string): Vec3 {
   return scale3(v, 1 / length);
 }
 
+/** of coordinates */
+const ROUNDING = 4e-15;
+
 class Warped implements SkelField {
   readonly #skel: SkelField;
   readonly #frame: Frame;
@@ -105,6 +115,8 @@ class Warped implements SkelField {
   readonly #by: number;
   readonly #stretch = new Float64Array(3);
   readonly #scratch = new Float64Array(4);
+  readonly #spread = new Float64Array(SPREAD);
+  readonly #move = new Float64Array(2);
   readonly box: Box;
 
   constructor(skel: SkelField, frame: Frame, section: Section, bx: number, by: number) {
@@ -147,6 +159,45 @@ class Warped implements SkelField {
     out[1]! += ex[0] * gx + ey[0] * gy + ez[0] * gz;
     out[2]! += ex[1] * gx + ey[1] * gy + ez[1] * gz;
     out[3]! += ex[2] * gx + ey[2] * gy + ez[2] * gz;
+  }
+
+  spread(x: number, y: number, z: number, radius: number, factor: number, out: Spread): void {
+    const { origin, x: ex, y: ey, z: ez } = this.#frame;
+    const dx = x - origin[0];
+    const dy = y - origin[1];
+    const dz = z - origin[2];
+    const qx = (ex[0] * dx + ex[1] * dy + ex[2] * dz) / this.#bx;
+    const qy = (ey[0] * dx + ey[1] * dy + ey[2] * dz) / this.#by;
+    const stretch = this.#stretch;
+    this.#section.evaluate(qx, qy, stretch);
+    const m = stretch[0]!;
+    const by = radius + ROUNDING * (Math.abs(dx) + Math.abs(dy) + Math.abs(dz));
+    this.#section.move(qx, qy, m, by / this.#bx, by / this.#by, this.#move);
+    const across = this.#move[0]!;
+    const bend = this.#move[1]!;
+    // a map without a bend takes balls to ellipsoids
+    const reach = bend === 0 ? Math.max(across, by) : Math.sqrt(across * across + by * by) * (1 + ROUNDING);
+    const local = this.#spread.fill(0);
+    this.#skel.spread(m * qx, m * qy, ez[0] * dx + ez[1] * dy + ez[2] * dz, reach, factor, local);
+    if (local[4] === 0 && local[5] === local[6]) return;
+    const gx = local[1]!;
+    const gy = local[2]!;
+    const gz = local[3]!;
+    const swing = reach * Math.sqrt(gx * gx + gy * gy + gz * gz) + local[4]!;
+    const low = Math.max(local[5]!, local[0]! - swing);
+    const high = Math.min(local[6]!, local[0]! + swing);
+    const half = 0.5 * (high - low);
+    const slope = Math.sqrt(gx * gx + gy * gy);
+    const rest = local[4]! + (slope > 0 ? slope * bend : 0);
+    out[5] = out[5]! + low;
+    out[6] = out[6]! + high;
+    out[4] = out[4]! + Math.min(rest, half);
+    out[0] = out[0]! + (rest < half ? local[0]! : low + half);
+    if (rest >= half) return;
+    const radial = gx * qx + gy * qy;
+    const wx = (m * gx + radial * stretch[1]!) / this.#bx;
+    const wy = (m * gy + radial * stretch[2]!) / this.#by;
+    for (let i = 0; i < 3; i++) out[i + 1] = out[i + 1]! + ex[i]! * wx + ey[i]! * wy + ez[i]! * gz;
   }
 
   offset(threshold: number): number {

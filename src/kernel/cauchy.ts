@@ -7,6 +7,7 @@
 import { PI } from '../math/trig.ts';
 import { cauchyEdge } from './cauchyEdge.ts';
 import { cauchyLine } from './cauchyLine.ts';
+import { powerChange } from './change.ts';
 import { inversePower } from './inversePower.ts';
 import type { Kernel } from './kernel.ts';
 import { S } from './params.ts';
@@ -21,6 +22,7 @@ export const cauchy: Kernel = {
   unit: ({ s = S.default }) => 1 / s,
   value: (r2) => 1 / ((1 + r2) * (1 + r2)),
   slope: (r2) => -2 / ((1 + r2) * (1 + r2) * (1 + r2)),
+  change: powerChange(1, 4),
   line: (frame, out) => inversePower(frame, 1 + frame.rho2, 4, out),
   linear: cauchyLine,
   edge: cauchyEdge,

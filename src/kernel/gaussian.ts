@@ -8,6 +8,7 @@
  */
 import { exp, expm1 } from '../math/exp.ts';
 import { PI } from '../math/trig.ts';
+import type { Dimension, Step } from './change.ts';
 import { angleOutside, clamped } from './clip.ts';
 import type { EdgeFrame, Integral, Kernel, LineFrame } from './kernel.ts';
 import { Nodes, sumLine } from './nodes.ts';
@@ -16,6 +17,8 @@ import { S } from './params.ts';
 /** squared distance, beyond the nearest, at which 4e-18 is left */
 const REACH2 = 40;
 const PANEL = 3.2;
+/** r² at which (1 + 4πr²) f² is largest */
+const STEEPEST = 0.5 - 0.25 / PI;
 const nodes = new Nodes();
 
 export const gaussian: Kernel = {
@@ -28,11 +31,35 @@ export const gaussian: Kernel = {
   unit: ({ s = S.default }) => 1 / s,
   value: (r2) => exp(-r2),
   slope: (r2) => -exp(-r2),
+  change: { type: 'absolute', slopes },
   line,
   edge,
   wholeLine: (r2) => Math.sqrt(PI) * exp(-r2),
   wholePlane: (r2) => PI * exp(-r2),
 };
+
+/**
+ * The first derivative along e is −2x f, the second (4x² − 2) f, x the part of the distance along e. Integrals over lines and
+ * planes: in closed form where x is across, half of it along; 4x² f integrates to what −2f needs to come to 2f again.
+ */
+function slopes(step: Step, dimension: Dimension): void {
+  const r2 = step.near * step.near;
+  const f = exp(-r2);
+  const [line, bend] = [Math.max(r2, STEEPEST), Math.max(r2, 1)];
+  switch (dimension) {
+    case 0:
+      step.slope = r2 < 0.5 ? Math.SQRT2 * exp(-0.5) : 2 * Math.sqrt(r2) * f;
+      step.bend = r2 < 1.5 ? Math.max(2 * f, 4 * exp(-1.5)) : (4 * r2 - 2) * f;
+      return;
+    case 1:
+      step.slope = Math.sqrt(1 + 4 * PI * line) * exp(-line);
+      step.bend = 2 * Math.sqrt(PI) * Math.max(f, 2 * bend * exp(-bend));
+      return;
+    case 2:
+      step.slope = Math.sqrt(PI * (1 + 4 * PI * line)) * exp(-line);
+      step.bend = 2 * PI * Math.max(1 + r2, 2 * r2) * f;
+  }
+}
 
 function line(frame: LineFrame, out: Integral): void {
   const { rho2, alpha, beta } = frame;

@@ -5,6 +5,7 @@
  * Whole lines and planes have no finite field: weights need the length or the area of the skel.
  */
 
+import { powerChange } from './change.ts';
 import { LINE_FLOOR2, PLATE_FLOOR2 } from './floor.ts';
 import { inversePower } from './inversePower.ts';
 import type { Kernel } from './kernel.ts';
@@ -20,6 +21,7 @@ export const inverse: Kernel = {
   unit: (_, size) => size,
   value: (r2) => 1 / Math.sqrt(r2),
   slope: (r2) => -0.5 / (r2 * Math.sqrt(r2)),
+  change: powerChange(0, 1),
   line: (frame, out) => inversePower(frame, Math.max(frame.rho2, frame.floor2), 1, out),
   edge: (frame, out) => powerEdge(frame, Math.max(frame.z * frame.z, frame.floor2), 1, out),
   wholeLine: null,

@@ -4,6 +4,7 @@
  * Segments: FIELD-NOTES §2. Polygons: FIELD-NOTES §3, the solid angle over |z|.
  */
 import { PI } from '../math/trig.ts';
+import { powerChange } from './change.ts';
 import { LINE_FLOOR2, PLATE_FLOOR2 } from './floor.ts';
 import { inversePower } from './inversePower.ts';
 import type { Kernel } from './kernel.ts';
@@ -19,6 +20,7 @@ export const inverseCubic: Kernel = {
   unit: (_, size) => size,
   value: (r2) => 1 / (r2 * Math.sqrt(r2)),
   slope: (r2) => -1.5 / (r2 * r2 * Math.sqrt(r2)),
+  change: powerChange(0, 3),
   line: (frame, out) => inversePower(frame, Math.max(frame.rho2, frame.floor2), 3, out),
   edge: (frame, out) => powerEdge(frame, Math.max(frame.z * frame.z, frame.floor2), 3, out),
   wholeLine: (r2) => 2 / r2,

@@ -5,6 +5,7 @@
  * the plate itself it diverges like a logarithm.
  */
 import { PI } from '../math/trig.ts';
+import { powerChange } from './change.ts';
 import { LINE_FLOOR2, PLATE_FLOOR2 } from './floor.ts';
 import { inversePower } from './inversePower.ts';
 import type { Kernel } from './kernel.ts';
@@ -20,6 +21,7 @@ export const inverseSquared: Kernel = {
   unit: (_, size) => size,
   value: (r2) => 1 / r2,
   slope: (r2) => -1 / (r2 * r2),
+  change: powerChange(0, 2),
   line: (frame, out) => inversePower(frame, Math.max(frame.rho2, frame.floor2), 2, out),
   edge: (frame, out) => powerEdge(frame, Math.max(frame.z * frame.z, frame.floor2), 2, out),
   wholeLine: (r2) => PI / Math.sqrt(r2),

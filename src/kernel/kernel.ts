@@ -5,6 +5,7 @@
  * Everything here is in kernel units (1/s, R, or the size of the skel for kernels without a width): raw millimetres
  * at scales of 1e±6 overflow float32, whose WGSL twins have the same frames.
  */
+import type { Change } from './change.ts';
 
 export interface ParamSpec {
   readonly name: 's' | 'R' | 'n';
@@ -99,6 +100,8 @@ export interface Kernel {
   value(r2: number, exponent: number): number;
   /** df/d(r²) */
   slope(r2: number, exponent: number): number;
+  /** how the field changes over a box */
+  readonly change: Change;
   /** Over a segment of a length above 0, weight of degree 0–3. */
   line(frame: LineFrame, out: Integral): void;
   /** A quicker way for linear weights, with nothing in between; null for lines for which it is none. */

@@ -6,6 +6,7 @@
  * asinh τ: 1e-12 of the whole line.
  */
 
+import { powerChange } from './change.ts';
 import { halfPower } from './halfPower.ts';
 import { farLine, inversePower, powersAt } from './inversePower.ts';
 import type { Integral, Kernel, LineFrame } from './kernel.ts';
@@ -26,6 +27,7 @@ export const power: Kernel = {
   unit: ({ s = S.default }) => 1 / s,
   value: (r2, n) => halfPower(1 + r2, n),
   slope: (r2, n) => (-0.5 * n * halfPower(1 + r2, n)) / (1 + r2),
+  change: powerChange(1),
   line,
   edge: (frame, out) => powerEdge(frame, 1 + frame.z * frame.z, frame.exponent, out),
   wholeLine: (r2, n) => wholeLineOfPower(1 + r2, n),

@@ -5,7 +5,7 @@
  *
  * Tried instead: |q| (1 − |q|) / |n|, whose value at the centre depends on the direction one comes from.
  */
-import { boxAbout, requireSize, type ShapeKind } from './shape.ts';
+import { boxAbout, flatSpread, ROUNDING, requireSize, type ShapeKind } from './shape.ts';
 
 export interface Ellipsoid {
   readonly type: 'ellipsoid';
@@ -33,6 +33,7 @@ export const ellipsoid: ShapeKind<Ellipsoid> = {
     const [rx, ry, rz] = radii;
     const least = Math.min(rx, ry, rz);
     const [ex, ey, ez] = [least / rx, least / ry, least / rz];
+    const flattest = Math.min(ex, ey, ez);
     /** |q| where f falls to −c: f ≤ −m (|q| − 1/|q|)/2 outside */
     const boxAbove = (level: number) => {
       const h = -level / least;
@@ -68,8 +69,35 @@ export const ellipsoid: ShapeKind<Ellipsoid> = {
         out[2] = (ny / root) * (-2 + 2 * inner - 8 * slope * ey * ey);
         out[3] = (nz / root) * (-2 + 2 * inner - 8 * slope * ez * ez);
       },
+      spread(x, y, z, radius, out) {
+        const grown = radius + ROUNDING * (Math.abs(x) + Math.abs(y) + Math.abs(z));
+        const [x0, y0, z0] = [nearest(x, grown) / rx, nearest(y, grown) / ry, nearest(z, grown) / rz];
+        const [x1, y1, z1] = [
+          (Math.abs(x) + grown) / rx,
+          (Math.abs(y) + grown) / ry,
+          (Math.abs(z) + grown) / rz,
+        ];
+        const far2 = x1 * x1 + y1 * y1 + z1 * z1;
+        const least2 = x0 * x0 * ex * ex + y0 * y0 * ey * ey + z0 * z0 * ez * ez;
+        const most2 = x1 * x1 * ex * ex + y1 * y1 * ey * ey + z1 * z1 * ez * ez;
+        const low = 1 - far2 - ROUNDING * (1 + far2);
+        const high = 1 - (x0 * x0 + y0 * y0 + z0 * z0) + ROUNDING * (1 + far2);
+        // f rises with g; with |n|² it falls where g > 0 and rises where g < 0, where |n| ≥ |q| times the least of e
+        const thin2 = Math.max(least2, far2 * flattest * flattest);
+        const bottom = low > 0 ? 4 * most2 + low : 4 * thin2;
+        const top = high > 0 ? 4 * least2 + high : 4 * most2;
+        const rounding = ROUNDING * least;
+        flatSpread(
+          (least * low) / Math.sqrt(bottom) - rounding,
+          (least * high) / Math.sqrt(top) + rounding,
+          out,
+        );
+      },
       box: boxAbove(0),
       boxAbove,
     };
   },
 };
+
+/** The least |x| within `radius`. */
+const nearest = (x: number, radius: number) => Math.max(Math.abs(x) - radius, 0);

@@ -1,6 +1,6 @@
 /** All that lies behind a plane: f = offset − n·p, the distance; unbounded. */
 import { FieldError } from '../skeleton/skeleton.ts';
-import type { ShapeKind } from './shape.ts';
+import { ROUNDING, type ShapeKind } from './shape.ts';
 
 export interface HalfSpace {
   readonly type: 'halfSpace';
@@ -32,6 +32,17 @@ export const halfSpace: ShapeKind<HalfSpace> = {
         out[1] = -nx;
         out[2] = -ny;
         out[3] = -nz;
+      },
+      spread(x, y, z, radius, out) {
+        const value = offset - (nx * x + ny * y + nz * z);
+        const rest = ROUNDING * (Math.abs(x) + Math.abs(y) + Math.abs(z) + Math.abs(offset) + radius);
+        out[0] = value;
+        out[1] = -nx;
+        out[2] = -ny;
+        out[3] = -nz;
+        out[4] = rest;
+        out[5] = value - radius - rest;
+        out[6] = value + radius + rest;
       },
       box: null,
       boxAbove: () => null,

@@ -7,7 +7,7 @@ import { type Ellipsoid, ellipsoid } from './ellipsoid.ts';
 import { type HalfSpace, halfSpace } from './halfSpace.ts';
 import { type Quadric, quadric } from './quadric.ts';
 import { type RoundedBox, roundedBox } from './roundedBox.ts';
-import type { Field, ShapeKind } from './shape.ts';
+import type { ShapeField, ShapeKind } from './shape.ts';
 import { type Sphere, sphere } from './sphere.ts';
 import { type Torus, torus } from './torus.ts';
 
@@ -45,6 +45,6 @@ export function kindOf<S extends Shape>(shape: S): ShapeKind<S> {
 }
 
 /** The field of a shape in its own frame; FieldError says what is wrong with it. */
-export function bindShape(shape: Shape): Field {
+export function bindShape(shape: Shape): ShapeField {
   return kindOf(shape).bind(shape);
 }

@@ -4,7 +4,7 @@
  * term keeps it finite where ∇g = 0 inside. At the tip of a cone value and gradient are 0.
  */
 import { type Box, FieldError } from '../skeleton/skeleton.ts';
-import type { ShapeKind } from './shape.ts';
+import { flatSpread, ROUNDING, type ShapeKind } from './shape.ts';
 
 export interface Quadric {
   readonly type: 'quadric';
@@ -54,6 +54,7 @@ export const quadric: ShapeKind<Quadric> = {
     const [bx, by, bz] = shape.linear;
     const c = shape.constant;
     const k = Math.sqrt(xx * xx + yy * yy + zz * zz + 0.5 * (yz * yz + zx * zx + xy * xy));
+    const size = Math.sqrt(bx * bx + by * by + bz * bz);
     const boxAbove = (level: number) => ellipsoidBox(shape, k, level);
     return {
       value(x, y, z) {
@@ -79,11 +80,33 @@ export const quadric: ShapeKind<Quadric> = {
         out[2] = inverse * (own * gy - share * (xy * gx + 2 * yy * gy + yz * gz));
         out[3] = inverse * (own * gz - share * (zx * gx + yz * gy + 2 * zz * gz));
       },
+      spread(x, y, z, radius, out) {
+        const gx = 2 * xx * x + zx * z + xy * y + bx;
+        const gy = 2 * yy * y + yz * z + xy * x + by;
+        const gz = 2 * zz * z + yz * y + zx * x + bz;
+        const g = 0.5 * (x * (gx + bx) + y * (gy + by) + z * (gz + bz)) + c;
+        const slope = Math.sqrt(gx * gx + gy * gy + gz * gz);
+        const p = Math.sqrt(x * x + y * y + z * z) + radius;
+        const rounding = ROUNDING * (k * p + size);
+        const move = radius * (slope + k * radius) + rounding * p + ROUNDING * Math.abs(c);
+        // 2k bounds the second derivatives; f rises with g, and |f| falls with |∇g|
+        const least = Math.max(slope - 2 * k * radius - rounding, 0);
+        const most = slope + 2 * k * radius + rounding;
+        const low = taubin(g - move, g - move > 0 ? most : least, k);
+        const high = taubin(g + move, g + move > 0 ? least : most, k);
+        flatSpread(low - ROUNDING * Math.abs(low), high + ROUNDING * Math.abs(high), out);
+      },
       box: boxAbove(0),
       boxAbove,
     };
   },
 };
+
+/** f of g and |∇g|. */
+function taubin(g: number, slope: number, k: number): number {
+  const d = slope * slope + k * Math.abs(g);
+  return d > 0 ? g / Math.sqrt(d) : 0;
+}
 
 /**
  * Of g > 0 when −A is positive definite, else null: centre m = −A⁻¹b/2, half sizes √(g(m) (−A⁻¹)_ii). Grown for a lower

@@ -4,7 +4,7 @@
  * sums, which come in as F − T (Kravtsov et al. §1.2; FIELD-NOTES §5).
  */
 import type { Vec3 } from '../math/vec.ts';
-import type { Box, FieldValue } from '../skeleton/skeleton.ts';
+import type { Box, FieldValue, Spread } from '../skeleton/skeleton.ts';
 import { FieldError } from '../skeleton/skeleton.ts';
 
 export interface Field {
@@ -15,6 +15,12 @@ export interface Field {
   readonly box: Box | null;
   /** mm; holds all points with a value above `level` ≤ 0; null when they are unbounded, or not known to be bounded */
   boxAbove(level: number): Box | null;
+}
+
+/** A field that knows what it may be within a ball. */
+export interface ShapeField extends Field {
+  /** Writes the spread within `radius` mm. */
+  spread(x: number, y: number, z: number, radius: number, out: Spread): void;
 }
 
 /** One kind of shape, in its own frame (axes along y); placed by an affine node of the tree. */
@@ -31,7 +37,7 @@ export interface ShapeKind<S> {
   /** those, in its order */
   numbers(shape: S): readonly number[];
   /** Checks what types cannot say; throws FieldError. */
-  bind(shape: S): Field;
+  bind(shape: S): ShapeField;
 }
 
 /** Refuses what is no size in mm. */
@@ -46,8 +52,31 @@ export function boxAbout(half: Vec3, grown = 0): Box {
 }
 
 /** A field that is a distance, its inside within `half` of the origin. */
-export function distanceField(half: Vec3, field: Pick<Field, 'value' | 'evaluate'>): Field {
-  return { ...field, box: boxAbout(half), boxAbove: (level) => boxAbout(half, -level) };
+export function distanceField(half: Vec3, field: Pick<Field, 'value' | 'evaluate'>): ShapeField {
+  const size = Math.max(...half);
+  return {
+    ...field,
+    box: boxAbout(half),
+    boxAbove: (level) => boxAbout(half, -level),
+    spread(x, y, z, radius, out) {
+      const value = field.value(x, y, z);
+      const most = radius + ROUNDING * (Math.abs(x) + Math.abs(y) + Math.abs(z) + radius + size);
+      flatSpread(value - most, value + most, out);
+    },
+  };
+}
+
+/** of the coordinates, sizes and terms that a value is made of */
+export const ROUNDING = 4e-15;
+
+/** An interval, and no gradient that would say more. */
+export function flatSpread(low: number, high: number, out: Spread): void {
+  const half = 0.5 * (high - low);
+  out.fill(0);
+  out[0] = low + half;
+  out[4] = half;
+  out[5] = low;
+  out[6] = high;
 }
 
 /** −1 or 1, never 0: a point on a plane of symmetry still has a side. */

@@ -8,6 +8,7 @@ import { pow } from '../math/pow.ts';
 import { checkedParams, checkNumbers, checkPlaces, reach, whole } from './binding.ts';
 import type { FieldValue, Skeleton, SkelField } from './skeleton.ts';
 import type { PointSkel } from './skels.ts';
+import { Spreader } from './spread.ts';
 
 export const point: Skeleton<PointSkel> = { name: 'point', bind };
 
@@ -23,16 +24,24 @@ function bind({ at, weight }: PointSkel, kernel: Kernel, params: KernelParams): 
   const [ax, ay, az] = at;
   const per = 1 / unit;
   const least = kernel.floor2.line;
-  const bound = (r2: number) => Math.abs(factor) * kernel.value(Math.max(r2, least), exponent);
+  const extent = {
+    dimension: 0,
+    size: 1,
+    turns: 1,
+    most: Math.abs(factor),
+    sign: Math.sign(factor),
+    evenness: 1,
+  } as const;
+  const spreader = new Spreader(kernel, exponent, extent, per);
   const squared = (x: number, y: number, z: number): number => {
     const dx = (x - ax) * per;
     const dy = (y - ay) * per;
     const dz = (z - az) * per;
     return Math.max(dx * dx + dy * dy + dz * dz, least);
   };
-  return {
+  const field: SkelField = {
     box: { min: at, max: at },
-    offset: (threshold) => (weight === 0 ? 0 : unit * reach(bound, threshold, support)),
+    offset: (threshold) => (weight === 0 ? 0 : unit * reach((r2) => spreader.most(r2), threshold, support)),
     value: (x, y, z) => factor * kernel.value(squared(x, y, z), exponent),
     add(x: number, y: number, z: number, scale: number, out: FieldValue): void {
       const r2 = squared(x, y, z);
@@ -42,5 +51,10 @@ function bind({ at, weight }: PointSkel, kernel: Kernel, params: KernelParams): 
       out[2] = out[2]! + steep * (y - ay);
       out[3] = out[3]! + steep * (z - az);
     },
+    spread(x, y, z, radius, scale, out) {
+      const distance = Math.sqrt(squared(x, y, z));
+      spreader.add(field, x, y, z, radius, scale, out, distance, true, 0);
+    },
   };
+  return field;
 }

@@ -11,14 +11,21 @@ import type { Vec3 } from '../math/vec.ts';
 import { checkedParams, reach, whole } from './binding.ts';
 import { boxOf } from './boxOf.ts';
 import { CIRCLE, NEXT, outlineOf, STRIDE } from './outline.ts';
+import { plateDistance } from './plateDistance.ts';
 import { type Region, regionOf } from './region.ts';
 import { FieldError, type FieldValue, type Skeleton, type SkelField } from './skeleton.ts';
 import type { PolygonSkel } from './skels.ts';
+import { Spreader } from './spread.ts';
 
 export const polygon: Skeleton<PolygonSkel> = { name: 'polygon', bind };
 
 /** kernel units; farther away nothing is left but what sums over edges do not cancel, and their squares overflow */
 const FARTHEST = 1e30;
+/**
+ * What sums over edges leave, in parts of the largest field at the point's height: panels are good to 1e-12 of it; singular
+ * kernels, whose largest is large, have none that are worse than 1e-14.
+ */
+const RESIDUE = { wide: 4e-12, singular: 1e-13 };
 
 function bind(skel: PolygonSkel, kernel: Kernel, params: KernelParams): SkelField {
   const checked = checkedParams(kernel, params);
@@ -30,7 +37,14 @@ function bind(skel: PolygonSkel, kernel: Kernel, params: KernelParams): SkelFiel
   const per = 1 / unit;
   const edges = outlineOf(region, per, kernel.support);
   const factor = skel.weight * whole(unit, 2 + kernel.homogeneity);
-  const covered = region.covered * per * per;
+  const extent = {
+    dimension: 2,
+    size: region.covered * per * per,
+    turns: region.turns,
+    most: Math.abs(factor),
+    sign: region.isOneWay ? Math.sign(factor) : 0,
+    evenness: 1,
+  } as const;
   const frame = new EdgeFrame();
   frame.exponent = checked.n ?? frame.exponent;
   frame.floor2 = kernel.floor2.plate;
@@ -39,11 +53,9 @@ function bind(skel: PolygonSkel, kernel: Kernel, params: KernelParams): SkelFiel
   const beyond = region.radius * per + Math.min(support, FARTHEST);
   // value and gradient in the frame of the plane, kernel units
   const sum = new Float64Array(4);
-  const bound = (r2: number) => {
-    const at = Math.max(r2, frame.floor2);
-    const plate = kernel.wholePlane?.(at, frame.exponent) ?? Infinity;
-    return Math.abs(factor) * Math.min(region.turns * plate, covered * kernel.value(at, frame.exponent));
-  };
+  const spreader = new Spreader(kernel, frame.exponent, extent, per);
+  const least = Math.sqrt(frame.floor2);
+  const residue = least > 0 ? RESIDUE.singular : RESIDUE.wide;
 
   const integrate = (x: number, y: number, z: number, slopes: boolean): void => {
     const vx = (x - middle[0]) * per;
@@ -73,9 +85,9 @@ function bind(skel: PolygonSkel, kernel: Kernel, params: KernelParams): SkelFiel
     }
   };
 
-  return {
+  const field: SkelField = {
     box: boxOf(cornersOf(region)),
-    offset: (threshold) => (factor === 0 ? 0 : unit * reach(bound, threshold, support)),
+    offset: (threshold) => (factor === 0 ? 0 : unit * reach((r2) => spreader.most(r2), threshold, support)),
     value(x, y, z) {
       integrate(x, y, z, false);
       return factor * sum[0]!;
@@ -89,7 +101,27 @@ function bind(skel: PolygonSkel, kernel: Kernel, params: KernelParams): SkelFiel
         out[axis + 1] = out[axis + 1]! + steep * slope;
       }
     },
+    spread(x, y, z, radius, scale, out) {
+      const vx = (x - middle[0]) * per;
+      const vy = (y - middle[1]) * per;
+      const vz = (z - middle[2]) * per;
+      const by = radius * per;
+      const away = Math.sqrt(vx * vx + vy * vy + vz * vz);
+      const height = Math.abs(vx * n[0] + vy * n[1] + vz * n[2]);
+      if (away - by > 1.0001 * beyond || height - by > 1.0001 * support) return;
+      const across = plateDistance(
+        edges,
+        vx * u[0] + vy * u[1] + vz * u[2],
+        vx * v[0] + vy * v[1] + vz * v[2],
+      );
+      const distance = Math.sqrt(across * across + height * height);
+      const low = Math.max(height - by, 0);
+      const slack = residue * spreader.most(low * low);
+      const isClear = least === 0 || low > least;
+      spreader.add(field, x, y, z, radius, scale, out, distance, isClear, slack);
+    },
   };
+  return field;
 }
 
 /** Fills the frame for the edge at `i`, seen from the point over (qx, qy): everything from the nearer end. */

@@ -9,8 +9,17 @@ import { type Kernel, type KernelParams, type LineField, LineFrame } from '../ke
 import type { Vec3 } from '../math/vec.ts';
 import { checkedParams, checkNumbers, checkPlaces, reach, SHORTEST, whole } from './binding.ts';
 import { boxOf } from './boxOf.ts';
-import { type Box, FieldError, type FieldValue, type Skeleton, type SkelField } from './skeleton.ts';
+import {
+  type Box,
+  FieldError,
+  type FieldValue,
+  type Skeleton,
+  type SkelField,
+  type Spread,
+} from './skeleton.ts';
 import type { SegmentSkel } from './skels.ts';
+import { Spreader } from './spread.ts';
+import { weightRange } from './weightRange.ts';
 
 export const segment: Skeleton<SegmentSkel> = { name: 'segment', bind };
 
@@ -24,12 +33,9 @@ function bind({ a, b, weights }: SegmentSkel, kernel: Kernel, params: KernelPara
   const [dx, dy, dz] = [b[0] - a[0], b[1] - a[1], b[2] - a[2]];
   const mm = lengthOf(dx, dy, dz);
   const box = boxOf([a, b]);
-  if (mm < SHORTEST) return { box, offset: () => 0, value: () => 0, add: () => {} };
+  if (mm < SHORTEST) return { box, offset: () => 0, value: () => 0, add: () => {}, spread: () => {} };
   const field = new SegmentField(box, [a, b], mm, weights, kernel, checked);
-  const quick = field.quick();
-  return quick
-    ? Object.assign(quick, { box, offset: (threshold: number) => field.offset(threshold) })
-    : field;
+  return field.quick() ?? field;
 }
 
 /** What a kernel leaves, and the perpendicular from the line to the point: made once, filled again for each evaluation. */
@@ -45,6 +51,7 @@ class SegmentField implements SkelField {
   readonly #kernel: Kernel;
   readonly #line: Kernel['line'];
   readonly #frame = new LineFrame();
+  readonly #spreader: Spreader;
   readonly #unit: number;
   readonly #per: number;
   readonly #support2: number;
@@ -80,25 +87,33 @@ class SegmentField implements SkelField {
       frame.weights[k] = weight * whole(this.#unit, k + 1 + kernel.homogeneity);
       if (weight !== 0) frame.degree = k;
     });
+    const extent = { dimension: 1, size: frame.length, turns: 1, ...weightRange(frame) } as const;
+    this.#spreader = new Spreader(kernel, frame.exponent, extent, this.#per);
   }
 
-  /** What the kernel has for linear weights, if anything. */
-  quick(): LineField | null {
+  /** This field by what the kernel has for linear weights, if anything. */
+  quick(): SkelField | null {
     const { weights, length, degree } = this.#frame;
     if (degree > 1) return null;
     const line = { a: this.#a, u: this.#u, per: this.#per, length, w0: weights[0]!, w1: weights[1]! };
-    return this.#kernel.linear?.(line) ?? null;
+    const quick = this.#kernel.linear?.(line);
+    if (!quick) return null;
+    return Object.assign(quick, {
+      box: this.box,
+      offset: (threshold: number) => this.offset(threshold),
+      spread: (x: number, y: number, z: number, radius: number, factor: number, out: Spread) =>
+        this.#spread(quick, x, y, z, radius, factor, out),
+    });
   }
 
   offset(threshold: number): number {
-    const { support, wholeLine, value } = this.#kernel;
-    const { length, exponent, floor2 } = this.#frame;
-    const most = largest(this.#frame);
-    const bound = (r2: number) => {
-      const at = Math.max(r2, floor2);
-      return most * Math.min(wholeLine?.(at, exponent) ?? Infinity, length * value(at, exponent));
-    };
-    return most === 0 ? 0 : this.#unit * reach(bound, threshold, support);
+    const spreader = this.#spreader;
+    const reached = () => reach((r2) => spreader.most(r2), threshold, this.#kernel.support);
+    return spreader.most(0) === 0 ? 0 : this.#unit * reached();
+  }
+
+  spread(x: number, y: number, z: number, radius: number, factor: number, out: Spread): void {
+    this.#spread(this, x, y, z, radius, factor, out);
   }
 
   value(x: number, y: number, z: number): number {
@@ -122,6 +137,24 @@ class SegmentField implements SkelField {
     out[1] = out[1]! + across * perp[0]! + along * u[0]!;
     out[2] = out[2]! + across * perp[1]! + along * u[1]!;
     out[3] = out[3]! + across * perp[2]! + along * u[2]!;
+  }
+
+  /** The spread of `field`, which is this one or its quick form. */
+  #spread(
+    field: LineField,
+    x: number,
+    y: number,
+    z: number,
+    radius: number,
+    factor: number,
+    out: Spread,
+  ): void {
+    this.#see(x, y, z);
+    const { alpha, beta, rho2, floor2 } = this.#frame;
+    const beyond = alpha > 0 ? alpha : beta < 0 ? beta : 0;
+    const distance = Math.sqrt(rho2 + beyond * beyond);
+    const isClear = floor2 === 0 || Math.sqrt(rho2) - radius * this.#per > 2 * Math.sqrt(floor2);
+    this.#spreader.add(field, x, y, z, radius, factor, out, distance, isClear, 0);
   }
 
   /** Fills the frame and the perpendicular; false where the point is beyond the support. */
@@ -157,11 +190,6 @@ class SegmentField implements SkelField {
     frame.beta = isNearB ? -t : length - t;
     return rho2 < support2;
   }
-}
-
-/** A bound on |w| along the segment. */
-function largest({ weights: w, length: l }: LineFrame): number {
-  return Math.abs(w[0]!) + l * (Math.abs(w[1]!) + l * (Math.abs(w[2]!) + l * Math.abs(w[3]!)));
 }
 
 /** Without overflow of the squares. */

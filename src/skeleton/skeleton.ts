@@ -8,6 +8,15 @@ import type { Vec3 } from '../math/vec.ts';
 /** [value, ∂x, ∂y, ∂z], mm and 1/mm; mutable: evaluators add to it. */
 export type FieldValue = Float64Array;
 
+/**
+ * What a field may be within a ball: [middle, ∂x, ∂y, ∂z, rest, low, high], |F − middle − ∂·v| ≤ rest, v from the centre of the
+ * ball, and low ≤ F ≤ high; as computed, rounding included. Mutable: skels add to it.
+ */
+export type Spread = Float64Array;
+
+/** numbers of a Spread */
+export const SPREAD = 7;
+
 export interface Box {
   readonly min: Vec3;
   readonly max: Vec3;
@@ -17,6 +26,8 @@ export interface SkelField {
   value(x: number, y: number, z: number): number;
   /** Adds `factor` times value and gradient. */
   add(x: number, y: number, z: number, factor: number, out: FieldValue): void;
+  /** Adds `factor` times the spread within `radius` mm; exactly nothing beyond a support. */
+  spread(x: number, y: number, z: number, radius: number, factor: number, out: Spread): void;
   /** of the skel itself, without its field */
   readonly box: Box;
   /** mm from the skel beyond which |value| < `threshold`; 0 when it is nowhere larger (FIELD-NOTES §1, Z(17)–(19) corrected) */

@@ -14,16 +14,18 @@ export interface Winding {
   readonly turns: number;
   /** of all places, as often as the loops go round them; not less than it is */
   readonly covered: number;
+  /** surely no place is gone round the other way */
+  readonly isOneWay: boolean;
 }
 
 /** Exact for an outline with holes in it where nothing touches; `area` is theirs. */
 export function windingOf(loops: readonly Loop[], area: number): Winding {
-  if (isTidy(loops)) return { turns: 1, covered: area };
+  if (isTidy(loops)) return { turns: 1, covered: area, isOneWay: true };
   // a straight line meets a chain that only rises or only falls once, and each turn twice
   const chains = (axis: 0 | 1) => loops.reduce((sum, loop) => sum + chainsOf(loop, axis), 0);
   const turns = Math.min(chains(0), chains(1)) / 2;
   const fan = (loop: Loop) => loop.reduce((sum, p, i) => sum + Math.abs(cross2(loop.at(i - 1)!, p)) / 2, 0);
-  return { turns, covered: loops.reduce((sum, loop) => sum + fan(loop), 0) };
+  return { turns, covered: loops.reduce((sum, loop) => sum + fan(loop), 0), isOneWay: false };
 }
 
 function isTidy(loops: readonly Loop[]): boolean {

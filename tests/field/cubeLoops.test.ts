@@ -87,6 +87,7 @@ function between({ counts: [nx, ny, nz] }: Lattice, values: Float64Array): TreeF
       out.fill(0.5);
       return value(x, y, z);
     },
+    range: () => {},
     box: null,
     boxAbove: () => null,
   };

@@ -170,6 +170,7 @@ describeGpu(`cross sections in WGSL are their twins (${COUNT} points, seed ${SEE
           out[k]! += factor * term;
         });
       },
+      spread: () => {},
       offset: () => 0,
     };
     const field = bindWarped(

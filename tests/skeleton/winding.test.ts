@@ -33,7 +33,7 @@ describe('winding', () => {
     ['a hole', [square(2), holed(1)], 1, 12],
     ['two holes', [square(4), holed(1, -2), holed(1, 2)], 1, 56],
   ])('%s is exact', (_, loops, turns, covered) => {
-    expect(windingOf(loops, covered)).toEqual({ turns, covered });
+    expect(windingOf(loops, covered)).toEqual({ turns, covered, isOneWay: true });
   });
 
   test.each<[string, Vec2[][], number, number]>([

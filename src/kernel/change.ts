@@ -1,0 +1,81 @@
+/**
+ * By how much a kernel's field changes when the point moves: what intervals of a field over a box are made of. Kernel units.
+ *
+ * Powers of a quadratic change in proportion to themselves, whatever the skel. With M² = core + r² and θ = by/M, a move takes
+ * M^−n to M^−n (1 + 2xθ + θ²)^(−n/2), |x| ≤ 1: the generating function of the Gegenbauer polynomials, each largest at 1. So
+ * what is left of the field after value and gradient is at most (1 − θ)^−n − 1 − nθ of it, however many points it comes from.
+ * The Gaussian's ratio has no bound far away, the quartic's none at its rim: there the derivatives in a direction count,
+ * integrated over all that is farther than the nearest point, their positive and negative parts apart.
+ */
+import { halfPower } from './halfPower.ts';
+
+/** A point that moves, and what comes of it. Mutable: filled again for each box. The numbers say that these are doubles. */
+export class Step {
+  /** the distance of the skel, not more than it is */
+  r = 0.5;
+  /** how far the point moves at most */
+  by = 0.5;
+  /** the distance at which it may then be */
+  near = 0.5;
+  /** n of the power kernel */
+  exponent = 4.5;
+
+  /** by which factors the field changes; Infinity where nothing is known */
+  least = 0.5;
+  most = 0.5;
+  /** relative: what value and gradient leave out, in parts of the field; absolute: the second derivatives */
+  bend = 0.5;
+  /** absolute: the first derivatives */
+  slope = 0.5;
+}
+
+export interface RelativeChange {
+  readonly type: 'relative';
+  /** Sees to least, most and bend for the field of points all at distance ≥ r. */
+  factors(step: Step): void;
+}
+
+/** A point, a line, a plane; the latter of weight 1. */
+export type Dimension = 0 | 1 | 2;
+
+export interface AbsoluteChange {
+  readonly type: 'absolute';
+  /**
+   * Sees to slope and bend: the most that derivatives come to, in any direction, over what is farther than `near`. Of the
+   * positive and the negative part the larger, which holds weights from 0 to 1; its double holds those from −1 to 1.
+   */
+  slopes(step: Step, dimension: Dimension): void;
+}
+
+export type Change = RelativeChange | AbsoluteChange;
+
+/** Below, 1 + nθ cancels, and the rest of Taylor's series is as good. */
+const SMALL = 1e-3;
+
+/** Of (core + r²)^(−n/2); `n` where the kernel has it fixed. */
+export function powerChange(core: 0 | 1, n?: number): RelativeChange {
+  return {
+    type: 'relative',
+    factors(step) {
+      const { r, by } = step;
+      const power = n ?? step.exponent;
+      // where the ratios of M are extreme, if that is farther than r
+      const root = Math.sqrt(by * by + 4 * core);
+      const high = Math.max(r, 0.5 * (root + by));
+      const low = Math.max(r, 0.5 * (root - by));
+      const near = Math.max(high - by, 0);
+      const after = core + near * near;
+      step.least = halfPower((core + (low + by) * (low + by)) / (core + low * low), power);
+      step.most = after > 0 ? halfPower(after / (core + high * high), power) : Infinity;
+      const theta = by / Math.sqrt(core + r * r);
+      step.bend = theta < 1 ? bend(theta, power) : Infinity;
+    },
+  };
+}
+
+function bend(theta: number, n: number): number {
+  const left = 1 - theta;
+  const grown = halfPower(left * left, n);
+  if (theta < SMALL) return (0.5 * n * (n + 1) * theta * theta * grown) / (left * left);
+  return grown - 1 - n * theta;
+}

@@ -1,0 +1,181 @@
+/**
+ * What a skel's field may be within a ball: an interval, and a centred form, whose gradients a sum adds up before it takes
+ * their lengths. Both hold for the values as computed: MARGIN of the largest that the skel can have there is put on either side.
+ *
+ * Theory: kernel/change.ts, and kernel/most.ts for balls that reach the skel. A form whose rest is larger than half the interval
+ * says less than the interval, and is replaced by it: the middle, no gradient, half the width. So one near skel does not spoil
+ * a sum of far ones.
+ */
+import { type AbsoluteChange, type Dimension, type RelativeChange, Step } from '../kernel/change.ts';
+import type { Kernel } from '../kernel/kernel.ts';
+import { mostOfLine, mostOfPlate } from '../kernel/most.ts';
+import type { FieldValue, Spread } from './skeleton.ts';
+
+/** of the largest field there; values are good to 1e-12 of it */
+const MARGIN = 4e-12;
+/** where that underflows */
+const LEAST = 1e-300;
+/** of distances: rounding of a box's size and of distances themselves */
+const ROUNDING = 1e-14;
+/** √floor over distance times n and a safe 2: what the clamp of singular lines changes beyond their ends */
+const CLAMPED = 12;
+
+/** Boxes from which the field is less than so often the largest in them need no bound for what is nearer, if w is even. */
+const FAR = 3;
+const EVEN = 100;
+
+interface Adding {
+  add(x: number, y: number, z: number, factor: number, out: FieldValue): void;
+}
+
+/** What bounds need to know of a skel, kernel units. */
+export interface Extent {
+  readonly dimension: Dimension;
+  /** length or area, as often as it is gone round; 1 for points */
+  readonly size: number;
+  readonly turns: number;
+  /** a bound on |w| */
+  readonly most: number;
+  /** 1 or −1 where w has one sign, else 0 */
+  readonly sign: number;
+  /** the largest |w| over the least, Infinity where that is not known */
+  readonly evenness: number;
+}
+
+const step = new Step();
+const centre = new Float64Array(4);
+/** [low, high, rest] of one skel */
+const range = new Float64Array(3);
+
+export class Spreader {
+  readonly #kernel: Kernel;
+  readonly #exponent: number;
+  readonly #extent: Extent;
+  /** kernel units of a millimetre */
+  readonly #per: number;
+  readonly #least: number;
+
+  constructor(kernel: Kernel, exponent: number, extent: Extent, per: number) {
+    this.#kernel = kernel;
+    this.#exponent = exponent;
+    this.#extent = extent;
+    this.#per = per;
+    const { floor2 } = kernel;
+    this.#least = Math.sqrt(extent.dimension === 2 ? floor2.plate : floor2.line);
+  }
+
+  /** The largest |F| at that squared distance or farther. */
+  most(r2: number): number {
+    const { dimension, size, turns, most } = this.#extent;
+    const n = this.#exponent;
+    if (dimension === 1) return most * mostOfLine(this.#kernel, r2, size, n);
+    if (dimension === 2) return most * mostOfPlate(this.#kernel, r2, size, turns, n);
+    return most * this.#kernel.value(Math.max(r2, this.#least * this.#least), n);
+  }
+
+  /**
+   * Adds `factor` times the spread of `field` within `radius` mm. `distance` (kernel units) is the skel's from the centre;
+   * `isClear`: nowhere is a line or a plane so near that it is clamped; `slack`: what sums over edges leave of the field elsewhere.
+   */
+  add(
+    field: Adding,
+    x: number,
+    y: number,
+    z: number,
+    radius: number,
+    factor: number,
+    out: Spread,
+    distance: number,
+    isClear: boolean,
+    slack: number,
+  ): void {
+    const { change, support } = this.#kernel;
+    const by = radius * this.#per * (1 + ROUNDING);
+    const near = Math.max(distance - by - ROUNDING * (distance + by), 0);
+    if (this.#extent.most === 0 || (near >= support && slack === 0)) return;
+    step.r = Math.max(distance * (1 - ROUNDING), this.#least);
+    step.by = by;
+    step.near = near;
+    step.exponent = this.#exponent;
+    centre.fill(0);
+    field.add(x, y, z, 1, centre);
+    if (change.type === 'relative') this.#relative(change, isClear, slack);
+    else this.#absolute(change, slack);
+    write(out, factor);
+  }
+
+  #relative(change: RelativeChange, isClear: boolean, slack: number): void {
+    const { sign, dimension, evenness } = this.#extent;
+    const value = centre[0]!;
+    change.factors(step);
+    if (sign !== 0 && step.most < FAR && evenness < EVEN && isClear) {
+      // too far for any other bound
+      const size = Math.abs(value);
+      const margin = MARGIN * evenness * size * step.most + slack + LEAST;
+      const [least, most] = [sign * size * step.least, sign * size * step.most];
+      range[0] = Math.min(least, most) - margin;
+      range[1] = Math.max(least, most) + margin;
+      range[2] = size * step.bend + margin;
+      return;
+    }
+    const { near } = step;
+    const cap = this.most(near * near);
+    const up = Math.min(step.most, 1e300);
+    // whatever the signs, both parts of the field are within this
+    const whole = sign === 0 ? this.most(step.r * step.r) : Math.abs(value);
+    const swing = whole * Math.max(up - 1, 1 - step.least);
+    range[0] = sign > 0 ? value * step.least : value - swing;
+    range[1] = sign < 0 ? value * step.least : value + swing;
+    range[2] = whole * step.bend;
+    if (!isClear || near < this.#least) {
+      const isBeyond = dimension === 1 && near > this.#least;
+      range[2] = isBeyond ? range[2]! + (CLAMPED * cap * this.#least) / near : Infinity;
+    }
+    this.#cut(cap, slack);
+  }
+
+  #absolute(change: AbsoluteChange, slack: number): void {
+    const { dimension, size, turns, most, sign } = this.#extent;
+    change.slopes(step, 0);
+    let { slope, bend } = step;
+    if (dimension > 0) {
+      change.slopes(step, dimension);
+      slope = Math.min(size * slope, turns * step.slope);
+      bend = Math.min(size * bend, turns * step.bend);
+    }
+    // weights of both signs may add up what both parts come to
+    const by = (sign === 0 ? 2 * most : most) * step.by;
+    range[0] = centre[0]! - by * slope;
+    range[1] = centre[0]! + by * slope;
+    range[2] = 0.5 * by * step.by * bend;
+    const { near } = step;
+    this.#cut(near < this.#kernel.support ? this.most(near * near) : 0, slack);
+  }
+
+  /** No more than the skel can have, and the margins. */
+  #cut(cap: number, slack: number): void {
+    const { sign } = this.#extent;
+    const margin = MARGIN * cap + slack + LEAST;
+    range[0] = Math.max(range[0]!, sign > 0 ? 0 : -cap) - margin;
+    range[1] = Math.min(range[1]!, sign < 0 ? 0 : cap) + margin;
+    range[2] = range[2]! + margin;
+  }
+}
+
+function write(out: Spread, factor: number): void {
+  const [low, high, rest] = [range[0]!, range[1]!, range[2]!];
+  const size = Math.abs(factor);
+  const half = 0.5 * (high - low);
+  if (rest < half) {
+    out[0] = out[0]! + factor * centre[0]!;
+    out[1] = out[1]! + factor * centre[1]!;
+    out[2] = out[2]! + factor * centre[2]!;
+    out[3] = out[3]! + factor * centre[3]!;
+    out[4] = out[4]! + size * rest;
+  } else {
+    out[0] = out[0]! + factor * (low + half);
+    out[4] = out[4]! + size * half;
+  }
+  out[5] = out[5]! + factor * (factor > 0 ? low : high);
+  out[6] = out[6]! + factor * (factor > 0 ? high : low);
+}
