@@ -51,17 +51,22 @@ export function dock(page: Page): TemplateResult {
 }
 
 /** Line 1: the last event. Line 2: the picture and what is in it. Line 3: where it was evaluated, and what that took. */
-export function statusLine({ body, dataset, said, state }: Page): TemplateResult {
+export function statusLine({ body, dataset, said }: Page): TemplateResult {
   const { made, progress } = body;
   const { backend } = dataset;
   const picture = backend === 'WebGL2' ? FIELD_WORDS.webgl2 : (backend ?? FIELD_WORDS.loading);
-  const difference = state.where === 'gpu' ? body.difference : null;
   return html`<div class="status">
-    <div class="bar ${progress === null ? '' : 'on'}"><i style="width:${100 * (progress ?? 0)}%"></i></div>
+    ${bar(progress)}
     <span role="status" aria-live="polite"><b>${said || settled(body)}</b></span>
     <span><i class="dot ${backend === 'WebGPU' ? '' : 'slow'}"></i>${picture}${made ? ` · ${FIELD_WORDS.facts(made)}` : nothing}</span>
-    ${made ? html`<span>${FIELD_WORDS.work(made, difference)}</span>` : nothing}
+    ${made ? html`<span>${FIELD_WORDS.work(made)}</span>` : nothing}
   </div>`;
+}
+
+function bar(progress: number | null): TemplateResult {
+  const percent = Math.round(100 * (progress ?? 0));
+  return html`<div class="bar ${progress === null ? '' : 'on'}" role="progressbar" aria-label=${FIELD_WORDS.making}
+    aria-valuenow=${percent}><i style="width:${percent}%"></i></div>`;
 }
 
 function settled({ made, problem }: FieldBody): string {
