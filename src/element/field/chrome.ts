@@ -1,5 +1,6 @@
 /** What floats around the picture of the field page: top bar, dock, status line, notice. */
 import { html, nothing, type TemplateResult } from 'lit';
+import { guard } from 'lit/directives/guard.js';
 import { iconButton, roving } from '../controls.ts';
 import { ball, icon, wordmark } from '../icons.ts';
 import type { FieldBody } from './fieldBody.ts';
@@ -37,7 +38,8 @@ export function topBar(page: Page): TemplateResult {
 
 /** Beside the picture; on narrow pages a sheet that folds. */
 export function dock(page: Page): TemplateResult {
-  const { folded } = page;
+  const { folded, body, state } = page;
+  const { canUseGpu } = body;
   const name = folded ? 'Show the controls' : 'Hide the controls';
   return html`<aside class="dock card ${folded ? 'folded' : ''}" aria-label="Controls">
     <header>
@@ -46,7 +48,7 @@ export function dock(page: Page): TemplateResult {
       ${iconButton('duplicate', 'Copy the tree as JSON', () => void page.copy())}
       ${iconButton('down', name, () => page.fold(), { class: 'fold', expanded: !folded })}
     </header>
-    <div class="scroll">${controls(page, page.body.canUseGpu)}</div>
+    <div class="scroll">${guard([state, canUseGpu], () => controls(page, canUseGpu))}</div>
   </aside>`;
 }
 
