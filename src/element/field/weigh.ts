@@ -33,7 +33,7 @@ export function weighByRadius({ kernel, params, threshold, parts }: Body): Weigh
       case 'segment':
         return segment(
           piece,
-          piece.radii.map((radius) => line(radius, lengthOf(piece.points, false))),
+          piece.radii.map((radius) => line(radius, along(piece))),
         );
       case 'loop':
         return { ...loop(piece), radii: piece.radii };
@@ -41,15 +41,13 @@ export function weighByRadius({ kernel, params, threshold, parts }: Body): Weigh
         return { ...curve(piece), radii: piece.radii };
       case 'arc':
         return { ...arc(piece, threshold), radii: ends(piece.radii) };
-      case 'spline': {
-        // of its control points, for 1/r: somewhat too long
-        const length = lengthOf(piece.points, false);
-        return { ...spline(piece, threshold), weights: piece.radii.map((radius) => endless(radius, length)) };
-      }
-      case 'profile': {
-        const weight = endless(piece.radius, lengthOf(piece.points, false));
-        return profile(piece, times(weight, parts));
-      }
+      case 'spline':
+        return {
+          ...spline(piece, threshold),
+          weights: piece.radii.map((radius) => endless(radius, along(piece))),
+        };
+      case 'profile':
+        return profile(piece, times(endless(piece.radius, along(piece)), parts));
     }
   };
 }
@@ -79,6 +77,8 @@ export function weighByWeight(weight: number, nominal: number, { threshold, part
   };
 }
 
+/** mm; of a spline that of its control points, somewhat too long */
+const along = ({ points }: LinePiece | WeightCurvePiece): number => lengthOf(points, false);
 const times = (weight: number, parts: Body['parts']): number[] => (parts ?? [1]).map((part) => part * weight);
 const ends = ([start, end]: readonly number[]) => [start!, end ?? start!] as const;
 
