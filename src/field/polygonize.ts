@@ -9,7 +9,7 @@
 
 import type { Box } from '../skeleton/skeleton.ts';
 import { crossed, fitting } from './fitBox.ts';
-import { type Lattice, type LatticeValues, latticeAround, sampling } from './lattice.ts';
+import { type Lattice, type LatticeValues, latticeAround, latticeOver, sampling } from './lattice.ts';
 import type { FieldMesh } from './latticeMesh.ts';
 import { meshing } from './latticeMesh.ts';
 import type { TreeField } from './treeField.ts';
@@ -27,8 +27,8 @@ export type Sampler<Wait = never> = (
   lattice: Lattice,
 ) => Generator<number | Wait, LatticeValues>;
 
-/** mm: what is seen of bodies without end, such as half-spaces */
-export const PAGE: Box = { min: [-100, -100, -100], max: [100, 100, 100] };
+/** mm to all sides of the origin: what is seen of bodies without end, such as half-spaces */
+export const PAGE = 100;
 
 /** A body that still leaves its lattice after so many rounds is cut off there. */
 const ROUNDS = 6;
@@ -44,7 +44,7 @@ export function polygonize(field: TreeField, resolution: number, box: Box | null
 
 /**
  * `resolution` cells along the longest side of the body in `box`, which is fitted to the body, and grown where the body leaves
- * it. Without a box the body has no end, and what is outside of `PAGE` is cut off. FieldError for a box of no finite numbers.
+ * it. Without a box the body has no end, and is cut off at `PAGE`. FieldError for a box of no finite numbers.
  */
 export function* polygonizing<Wait>(
   field: TreeField,
@@ -53,11 +53,11 @@ export function* polygonizing<Wait>(
   box: Box | null = field.box,
 ): Generator<number | Wait, Polygonized> {
   const counted = new Counted(field);
-  let around = box ? yield* fitting(counted, box) : PAGE;
+  let around = box && (yield* fitting(counted, box));
   for (let round = 0; ; round++) {
-    const lattice = latticeAround(around, resolution);
+    const lattice = around ? latticeAround(around, resolution) : latticeOver(PAGE, resolution);
     const values = yield* sampler(counted, lattice);
-    const larger = box && round < ROUNDS ? crossed(around, lattice, values) : null;
+    const larger = around && round < ROUNDS ? crossed(around, lattice, values) : null;
     if (!larger) {
       const mesh = yield* meshing(counted, lattice, values);
       return { mesh, lattice, evaluations: counted.evaluations };
