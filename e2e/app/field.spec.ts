@@ -12,11 +12,12 @@ async function open(page: Page, address: string): Promise<void> {
   await expect(page.getByRole('status')).toHaveText('Body made');
 }
 
-/** Triangles and problem of what is shown. */
+/** What is shown, and what is wrong with what is not. */
 const body = (page: Page) =>
   page.evaluate(() => {
     const { made, problem } = document.querySelector('rotund-field')!.body;
-    return { triangles: (made?.mesh.indices.length ?? 0) / 3, problem };
+    const { id, difference } = made ?? { id: 0, difference: null };
+    return { id, triangles: (made?.mesh.indices.length ?? 0) / 3, difference, problem };
   });
 
 /** Share of the free picture that is neither paper nor grey: orange fur. */
@@ -58,12 +59,16 @@ test('a body appears in colour, a slider changes it, the address keeps it', asyn
 
 test('on the graphics device it is the same body', async ({ page }) => {
   await open(page, `/field.html${COARSE}`);
-  const { triangles } = await body(page);
+  const onCpu = await body(page);
+  expect(onCpu.difference).toBeNull();
   await page.getByRole('radio', { name: 'GPU' }).click();
+  await expect.poll(async () => (await body(page)).id).toBeGreaterThan(onCpu.id);
+  const onGpu = await body(page);
+  expect(onGpu.triangles).toBe(onCpu.triangles);
+  expect(onGpu.difference).toBeLessThan(1e-4);
+  // what was not taken there has no difference at all
+  expect(onGpu.difference).not.toBeNull();
   await expect(page.locator('.status')).toContainText('GPU float32, off by');
-  expect((await body(page)).triangles).toBe(triangles);
-  const difference = await page.evaluate(() => document.querySelector('rotund-field')!.body.difference);
-  expect(difference).toBeLessThan(1e-4);
 });
 
 test('what has no field is told, and the last body stays', async ({ page }) => {

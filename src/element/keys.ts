@@ -1,4 +1,5 @@
 /** Hot keys: the thesis' own where it has one, and what drawing programs share. They answer only while the element has focus. */
+import { dragOf, keyOf } from './lookKeys.ts';
 import { hideSelection, removeSelection, selectAll } from './partDeeds.ts';
 import type { Session } from './session.ts';
 import { type ShownStyle, STYLE_NAMES } from './words.ts';
@@ -16,13 +17,11 @@ export interface KeyActions {
 }
 
 const STYLES = Object.keys(STYLE_NAMES) as ShownStyle[];
-/** px of a drag that an arrow key stands for: an eighth of a turn of a 600 px picture in five steps */
-const ARROW = 24;
 
 /** Carries the key out; false when it means nothing here. */
 export function press(event: KeyboardEvent, session: Session, actions: KeyActions): boolean {
   const command = event.ctrlKey || event.metaKey;
-  const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
+  const key = keyOf(event);
   if (command && key === 'z' && !actions.readOnly)
     return done(event.shiftKey ? session.redo() : session.undo());
   if (command && key === 'y' && !actions.readOnly) return done(session.redo());
@@ -91,7 +90,8 @@ function back(session: Session, actions: KeyActions): void {
 
 function looking(key: string, session: Session, actions: KeyActions): boolean {
   const { look } = session;
-  const turn = (dx: number, dy: number) => done(session.camera.orbit(dx * ARROW, dy * ARROW));
+  const drag = dragOf(key);
+  if (drag) return done(session.camera.orbit(...drag));
   switch (key) {
     case 'g':
       return done(session.setLook({ grid: !look.grid }));
@@ -107,14 +107,6 @@ function looking(key: string, session: Session, actions: KeyActions): boolean {
       return done(session.camera.reset());
     case '?':
       return done(actions.toggleHelp());
-    case 'ArrowLeft':
-      return turn(-1, 0);
-    case 'ArrowRight':
-      return turn(1, 0);
-    case 'ArrowUp':
-      return turn(0, -1);
-    case 'ArrowDown':
-      return turn(0, 1);
     default:
       return false;
   }

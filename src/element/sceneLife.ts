@@ -101,7 +101,7 @@ export class SceneLife {
     } catch (error) {
       const last = wish.backend === 'webgl2' || (error as Error | null)?.name === 'NoGraphicsError';
       if (this.#life !== life || last) return error;
-      console.warn('rotund-sketch: WebGPU failed, WebGL2 is next.', error);
+      console.warn('WebGPU failed, WebGL2 is next.', error);
       this.#gaveUp = `WebGPU failed: ${messageOf(error)}`;
       return this.#make(life);
     }

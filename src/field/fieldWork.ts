@@ -22,10 +22,17 @@ export interface Values {
   readonly values: Float32Array | null;
 }
 
-export type ToWorker = Make | Values;
+/** Nothing is wanted any more, until the next `Make`. */
+export interface Stop {
+  readonly type: 'stop';
+  /** above that of what is given up */
+  readonly id: number;
+}
+
+export type ToWorker = Make | Values | Stop;
 
 /** 0–1 of the step under way: fitting, sampling, meshing */
-export interface Progress {
+interface Progress {
   readonly type: 'progress';
   readonly id: number;
   readonly share: number;
@@ -46,11 +53,13 @@ export interface Made {
   readonly mesh: FieldMesh;
   readonly lattice: Lattice;
   readonly evaluations: number;
+  /** largest difference of the page's values from the worker's own, among some nodes; null where it took them all itself */
+  readonly difference: number | null;
   readonly milliseconds: number;
 }
 
 /** The tree has no field or no surface, in words with the place. */
-export interface Refused {
+interface Refused {
   readonly type: 'refused';
   readonly id: number;
   readonly message: string;

@@ -14,6 +14,11 @@ export interface Lattice {
   readonly counts: readonly [x: number, y: number, z: number];
 }
 
+/** What values are taken of. */
+interface Valued {
+  value(x: number, y: number, z: number): number;
+}
+
 /** of each node; float64 from the CPU, float32 from the GPU */
 export type LatticeValues = Float64Array | Float32Array;
 
@@ -29,9 +34,8 @@ export function latticeAround({ min, max }: Box, resolution: number): Lattice {
   const sizes = [max[0] - min[0], max[1] - min[1], max[2] - min[2]] as const;
   if (!sizes.every((size) => size >= 0 && size < Infinity) || !min.every(Number.isFinite))
     throw new FieldError('the body is not bounded by finite numbers');
-  const cells = Math.min(Math.max(Math.round(resolution), RESOLUTION.min), RESOLUTION.max) || RESOLUTION.min;
   // a box of one point holds no surface, but has a lattice all the same
-  let step = Math.max(...sizes) / cells || 1;
+  let step = Math.max(...sizes) / cellsOf(resolution) || 1;
   const count = (size: number) => Math.ceil(size / step + 2 * AIR) + 1;
   while (count(sizes[0]) * count(sizes[1]) * count(sizes[2]) > MOST_NODES) step *= 1.05;
   return {
@@ -41,26 +45,59 @@ export function latticeAround({ min, max }: Box, resolution: number): Lattice {
   };
 }
 
+/**
+ * Over the cube of `half` mm to all sides of the origin, for bodies that go on beyond it: they are cut off half a cell within
+ * a lattice, which is where the cube ends. At least `resolution` cells; an even number, so that no node is in the middle.
+ */
+export function latticeOver(half: number, resolution: number): Lattice {
+  let cells = 2 * Math.ceil(cellsOf(resolution) / 2);
+  while ((cells + 2) * (cells + 2) * (cells + 2) > MOST_NODES) cells -= 2;
+  const step = (2 * half) / cells;
+  const first = -half - step / 2;
+  return { origin: [first, first, first], step, counts: [cells + 2, cells + 2, cells + 2] };
+}
+
+function cellsOf(resolution: number): number {
+  return Math.min(Math.max(Math.round(resolution), RESOLUTION.min), RESOLUTION.max) || RESOLUTION.min;
+}
+
 export function nodeCount({ counts }: Lattice): number {
   return counts[0] * counts[1] * counts[2];
 }
 
 /** x, y, z of every node, for evaluators that take lists. */
 export function latticePoints(lattice: Lattice): Float32Array {
+  const { origin, step, counts } = lattice;
   const points = new Float32Array(3 * nodeCount(lattice));
-  eachRow(lattice, 0, lattice.counts[2], (first, y, z) => {
-    for (let i = 0; i < lattice.counts[0]; i++) {
-      points.set([lattice.origin[0] + i * lattice.step, y, z], 3 * (first + i));
+  eachRow(lattice, 0, counts[2], (first, y, z) => {
+    for (let i = 0, at = 3 * first; i < counts[0]; i++) {
+      points[at++] = origin[0] + i * step;
+      points[at++] = y;
+      points[at++] = z;
     }
   });
   return points;
 }
 
+/** nodes at which values are compared */
+const SAMPLES = 256;
+
+/** How far values from elsewhere are from the field's at most, among some nodes; in parts of the value where that is above 1. */
+export function largestDifference(field: Valued, lattice: Lattice, values: LatticeValues): number {
+  const { origin, step, counts } = lattice;
+  const apart = Math.max(1, Math.floor(values.length / SAMPLES));
+  let most = 0;
+  for (let node = 0; node < values.length; node += apart) {
+    const row = Math.floor(node / counts[0]);
+    const [i, j, k] = [node % counts[0], row % counts[1], Math.floor(row / counts[1])];
+    const exact = field.value(origin[0] + i * step, origin[1] + j * step, origin[2] + k * step);
+    most = Math.max(most, Math.abs(values[node]! - exact) / Math.max(1, Math.abs(exact)));
+  }
+  return most;
+}
+
 /** Evaluates layer by layer and yields what share of them is done. */
-export function* sampling(
-  field: { value(x: number, y: number, z: number): number },
-  lattice: Lattice,
-): Generator<number, Float64Array> {
+export function* sampling(field: Valued, lattice: Lattice): Generator<number, Float64Array> {
   const { origin, step, counts } = lattice;
   const values = new Float64Array(nodeCount(lattice));
   for (let k = 0; k < counts[2]; k++) {

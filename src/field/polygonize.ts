@@ -1,7 +1,7 @@
 /**
- * The surface of a field as a mesh: the simple, dense polygonizer. It takes a value at every node of a regular lattice, so its
- * cost is n³ for n cells along the longest side, while the surface it finds has n² triangles; one that follows the surface
- * only is to come. Marching cubes on exact values: watertight, with vertices on the surface and the field's own normals.
+ * The surface of a field as a mesh: marching cubes on a regular lattice, with exact values where the surface may be and proven signs
+ * elsewhere (culledSampling.ts): watertight, with vertices on the surface and the field's own normals. Simple in that the
+ * lattice itself is dense, that each value takes all skels, and that nothing is kept from one body to the next.
  *
  * The steps are generators that yield the share done of the step they are at, so that a worker may pause or give up between
  * them; `polygonize` runs all of them at once.
@@ -10,7 +10,7 @@
 import type { Box } from '../skeleton/skeleton.ts';
 import { culledSampling } from './culledSampling.ts';
 import { crossed, fitting } from './fitBox.ts';
-import { type Lattice, type LatticeValues, latticeAround } from './lattice.ts';
+import { type Lattice, type LatticeValues, latticeAround, latticeOver } from './lattice.ts';
 import type { FieldMesh } from './latticeMesh.ts';
 import { meshing } from './latticeMesh.ts';
 import type { TreeField } from './treeField.ts';
@@ -28,8 +28,8 @@ export type Sampler<Wait = never> = (
   lattice: Lattice,
 ) => Generator<number | Wait, LatticeValues>;
 
-/** mm: what is seen of bodies without end, such as half-spaces */
-export const PAGE: Box = { min: [-100, -100, -100], max: [100, 100, 100] };
+/** mm to all sides of the origin: what is seen of bodies without end, such as half-spaces */
+export const PAGE = 100;
 
 /** A body that still leaves its lattice after so many rounds is cut off there. */
 const ROUNDS = 6;
@@ -45,7 +45,7 @@ export function polygonize(field: TreeField, resolution: number, box: Box | null
 
 /**
  * `resolution` cells along the longest side of the body in `box`, which is fitted to the body, and grown where the body leaves
- * it. Without a box the body has no end, and what is outside of `PAGE` is cut off. FieldError for a box of no finite numbers.
+ * it. Without a box the body has no end, and is cut off at `PAGE`. FieldError for a box of no finite numbers.
  */
 export function* polygonizing<Wait>(
   field: TreeField,
@@ -55,11 +55,11 @@ export function* polygonizing<Wait>(
 ): Generator<number | Wait, Polygonized> {
   const counted = new Counted(field);
   // a lattice where nothing is makes an empty mesh
-  let around = box ? ((yield* fitting(counted, box)) ?? box) : PAGE;
+  let around = box && ((yield* fitting(counted, box)) ?? box);
   for (let round = 0; ; round++) {
-    const lattice = latticeAround(around, resolution);
+    const lattice = around ? latticeAround(around, resolution) : latticeOver(PAGE, resolution);
     const values = yield* sampler(counted, lattice);
-    const larger = box && round < ROUNDS ? crossed(around, lattice, values) : null;
+    const larger = around && round < ROUNDS ? crossed(around, lattice, values) : null;
     if (!larger) {
       const mesh = yield* meshing(counted, lattice, values);
       return { mesh, lattice, evaluations: counted.evaluations };

@@ -1,3 +1,4 @@
+/** Where in a tree something was refused: each level on the way out puts its own place before the message. */
 import { FieldError } from './skeleton.ts';
 
 /** Puts the place before what is refused inside: `parts[1].node: …` */

@@ -123,7 +123,8 @@ function checkCount(points: readonly Vec3[], radii: readonly number[]): void {
   throw new FieldError(`${points.length} points need as many radii, got ${radii.length}`);
 }
 
-function lengthOf(points: readonly Vec3[], closed: boolean): number {
+/** mm along the points, and back to the first where that closes them. */
+export function lengthOf(points: readonly Vec3[], closed: boolean): number {
   return points.reduce((sum, p, i) => {
     const before = i > 0 || closed ? points.at(i - 1)! : p;
     return sum + distance3(before, p);

@@ -89,7 +89,8 @@ function turned(loop: readonly Vec2[], [cx, cy]: Vec2, index: number): readonly 
   return area > 0 === (index === 0) ? moved : [...moved].reverse();
 }
 
-function areaOf(loop: readonly Vec2[]): number {
+/** mm², above 0 counter-clockwise. */
+export function areaOf(loop: readonly Vec2[]): number {
   return loop.reduce((sum, [x, y], i) => {
     const [px, py] = loop.at(i - 1)!;
     return sum + 0.5 * (px * y - py * x);

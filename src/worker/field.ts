@@ -1,11 +1,12 @@
 /**
  * Makes the bodies of fields beside the page. The latest wish wins: work is cut into slices, between which messages are heard,
- * and what is no longer wanted is given up. A coarse draft comes first and is finished whatever happens, so that a slider
- * that is being dragged is followed.
+ * and what is no longer wanted is given up. A coarse draft comes first and is finished as long as anything is wanted, so
+ * that a slider that is being dragged is followed.
  */
 import { bindField } from '../field/bind.ts';
+import { culledSampling } from '../field/culledSampling.ts';
 import type { FromWorker, Make, ToWorker } from '../field/fieldWork.ts';
-import { type Lattice, type LatticeValues, sampling } from '../field/lattice.ts';
+import { type Lattice, type LatticeValues, largestDifference } from '../field/lattice.ts';
 import { type Polygonized, polygonizing, type Sampler } from '../field/polygonize.ts';
 import type { TreeField } from '../field/treeField.ts';
 
@@ -24,20 +25,24 @@ const COARSER = 0.6;
 
 const scope = self as unknown as Scope;
 let wish: Make | null = null;
+/** of what the page said last: other bodies are not wanted */
+let latest = 0;
+/** of the body under way */
+let current = 0;
 let working = false;
 let arrived: ((values: LatticeValues | null) => void) | null = null;
 
 scope.onmessage = ({ data }) => {
-  if (data.type === 'make') {
-    wish = data;
-    // what the page was asked for is for a body that nobody wants any more
-    arrived?.(null);
-    if (!working) void work();
-  } else if (data.id === current) arrived?.(data.values);
+  if (data.type === 'values') {
+    if (data.id === current) arrived?.(data.values);
+    return;
+  }
+  wish = data.type === 'make' ? data : null;
+  latest = data.id;
+  // what the page was asked for is for a body that nobody wants any more
+  arrived?.(null);
+  if (wish && !working) void work();
 };
-
-/** of the body under way */
-let current = 0;
 
 async function work(): Promise<void> {
   working = true;
@@ -56,16 +61,22 @@ async function work(): Promise<void> {
 
 async function make({ id, node, resolution, values }: Make): Promise<void> {
   const field = bindField(node);
+  const isLatest = () => id === latest;
   if (values === 'worker' && DRAFT < COARSER * resolution) {
     const start = performance.now();
-    const draft = await sliced(id, polygonizing(field, DRAFT, sampling), () => true);
-    if (draft) hand(id, true, draft, start);
-    if (wish) return;
+    const draft = await sliced(
+      id,
+      polygonizing(field, DRAFT, culledSampling),
+      () => isLatest() || wish !== null,
+    );
+    if (draft) hand(id, true, draft, null, start);
+    if (!isLatest()) return;
   }
   const start = performance.now();
-  const sampler = values === 'page' ? fromPage(id) : sampling;
-  const made = await sliced(id, polygonizing(field, resolution, sampler), () => wish === null);
-  if (made) hand(id, false, made, start);
+  let difference: number | null = null;
+  const sampler = values === 'page' ? fromPage(id, (found) => (difference = found)) : culledSampling;
+  const made = await sliced(id, polygonizing(field, resolution, sampler), isLatest);
+  if (made) hand(id, false, made, difference, start);
 }
 
 /** Null when it was given up. */
@@ -90,7 +101,7 @@ async function sliced<T>(
 }
 
 /** The values come from the page's graphics device, or from here where it has none. */
-function fromPage(id: number): Sampler<Promise<unknown>> {
+function fromPage(id: number, differ: (difference: number | null) => void): Sampler<Promise<unknown>> {
   return function* (field: TreeField, lattice: Lattice) {
     let values: LatticeValues | null = null;
     say({ type: 'wanted', id, lattice });
@@ -101,15 +112,23 @@ function fromPage(id: number): Sampler<Promise<unknown>> {
         resolve();
       };
     });
-    return values ?? (yield* sampling(field, lattice));
+    differ(values && largestDifference(field, lattice, values));
+    return values ?? (yield* culledSampling(field, lattice));
   };
 }
 
-function hand(id: number, draft: boolean, { mesh, lattice, evaluations }: Polygonized, start: number): void {
+function hand(
+  id: number,
+  draft: boolean,
+  { mesh, lattice, evaluations }: Polygonized,
+  difference: number | null,
+  start: number,
+): void {
   const milliseconds = performance.now() - start;
   const { positions, normals, uvs, indices, colours } = mesh;
   const arrays = [positions, normals, uvs, indices, colours].map(({ buffer }) => buffer);
-  scope.postMessage({ type: 'made', id, draft, mesh, lattice, evaluations, milliseconds }, arrays);
+  const made = { mesh, lattice, evaluations, difference, milliseconds };
+  scope.postMessage({ type: 'made', id, draft, ...made }, arrays);
 }
 
 function say(message: FromWorker): void {

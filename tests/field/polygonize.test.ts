@@ -1,7 +1,15 @@
 /** The dense polygonizer against what is known without it: volumes, areas, genus, radii by bisection. */
 import { describe, expect, test } from 'vitest';
 import { bindField } from '../../src/field/bind.ts';
-import { latticeAround, MOST_NODES, nodeCount, sampling } from '../../src/field/lattice.ts';
+import {
+  largestDifference,
+  latticeAround,
+  latticeOver,
+  latticePoints,
+  MOST_NODES,
+  nodeCount,
+  sampling,
+} from '../../src/field/lattice.ts';
 import type { FieldNode } from '../../src/field/node.ts';
 import { PAGE, polygonize, polygonizing } from '../../src/field/polygonize.ts';
 import { topology } from '../../src/mesh/check.ts';
@@ -110,7 +118,7 @@ describe('convolution bodies', () => {
     expectSolid(mesh);
     const radii: number[] = [];
     for (let i = 0; i < mesh.positions.length; i += 3) {
-      if (Math.abs(mesh.positions[i + 1]!) < 0.2)
+      if (Math.abs(mesh.positions[i + 1]!) < 0.6 * lattice.step)
         radii.push(Math.hypot(mesh.positions[i]!, mesh.positions[i + 2]!));
     }
     expect(radii.length).toBeGreaterThan(8);
@@ -172,10 +180,14 @@ describe('boxes and lattices', () => {
     }
   });
 
-  test('what has no end is cut off at the page, and closed there', () => {
-    const { mesh } = made(shape({ type: 'halfSpace', normal: [0, 1, 0], offset: 0 }), 16);
+  test.each([16, 17, 72])('what has no end is cut off at the page, and closed there: %i cells', (cells) => {
+    const { mesh, lattice } = made(shape({ type: 'halfSpace', normal: [0, 1, 0], offset: 0 }), cells);
     expectSolid(mesh);
-    expect(bounds(mesh).max[0]).toBeLessThan(PAGE.max[0] + 40);
+    const { min, max } = bounds(mesh);
+    const near = (of: readonly number[]) => of.map((x) => expect.closeTo(x, 4));
+    expect(min).toEqual(near([-PAGE, -PAGE, -PAGE]));
+    expect(max).toEqual(near([PAGE, 0, PAGE]));
+    expect(lattice.step).toBeCloseTo((2 * PAGE) / (cells + (cells % 2)));
   });
 
   test('an empty field is an empty mesh', () => {
@@ -199,6 +211,7 @@ describe('boxes and lattices', () => {
     const long = latticeAround({ min: [0, 0, 0], max: [1, 1, 1] }, 1e9);
     expect(nodeCount(long)).toBeLessThanOrEqual(MOST_NODES);
     expect(latticeAround({ min: [0, 0, 0], max: [1, 1, 1] }, NaN).step).toBeGreaterThan(0);
+    expect(nodeCount(latticeOver(PAGE, 1e9))).toBeLessThanOrEqual(MOST_NODES);
     expect(() => latticeAround({ min: [0, 0, 0], max: [1, Infinity, 1] }, 8)).toThrow(/bounded/);
     expect(() => latticeAround({ min: [NaN, 0, 0], max: [1, 1, 1] }, 8)).toThrow(/bounded/);
   });
@@ -207,6 +220,18 @@ describe('boxes and lattices', () => {
     const { mesh } = made(sphere(10 * scale), 16);
     expectSolid(mesh);
     expect(volume(mesh) / scale ** 3 / volume(made(sphere(10), 16).mesh)).toBeCloseTo(1, 4);
+  });
+
+  test('points are those that values are taken at', () => {
+    const field = bindField(body());
+    const lattice = latticeAround({ min: [-5, -4, -3], max: [6, 7, 8] }, 12);
+    const points = latticePoints(lattice);
+    const values = Float64Array.from({ length: nodeCount(lattice) }, (_, i) =>
+      field.value(points[3 * i]!, points[3 * i + 1]!, points[3 * i + 2]!),
+    );
+    expect(largestDifference(field, lattice, values)).toBeLessThan(1e-6);
+    const wrong = values.map((value) => value + 0.01);
+    expect(largestDifference(field, lattice, wrong)).toBeCloseTo(0.01, 4);
   });
 
   test('values from elsewhere, a little wrong, leave the mesh on the surface', () => {

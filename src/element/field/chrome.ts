@@ -1,5 +1,6 @@
 /** What floats around the picture of the field page: top bar, dock, status line, notice. */
 import { html, nothing, type TemplateResult } from 'lit';
+import { guard } from 'lit/directives/guard.js';
 import { iconButton, roving } from '../controls.ts';
 import { ball, icon, wordmark } from '../icons.ts';
 import type { FieldBody } from './fieldBody.ts';
@@ -37,7 +38,8 @@ export function topBar(page: Page): TemplateResult {
 
 /** Beside the picture; on narrow pages a sheet that folds. */
 export function dock(page: Page): TemplateResult {
-  const { folded } = page;
+  const { folded, body, state } = page;
+  const { canUseGpu } = body;
   const name = folded ? 'Show the controls' : 'Hide the controls';
   return html`<aside class="dock card ${folded ? 'folded' : ''}" aria-label="Controls">
     <header>
@@ -46,22 +48,27 @@ export function dock(page: Page): TemplateResult {
       ${iconButton('duplicate', 'Copy the tree as JSON', () => void page.copy())}
       ${iconButton('down', name, () => page.fold(), { class: 'fold', expanded: !folded })}
     </header>
-    <div class="scroll">${controls(page, page.body.canUseGpu)}</div>
+    <div class="scroll">${guard([state, canUseGpu], () => controls(page, canUseGpu))}</div>
   </aside>`;
 }
 
 /** Line 1: the last event. Line 2: the picture and what is in it. Line 3: where it was evaluated, and what that took. */
-export function statusLine({ body, dataset, said, state }: Page): TemplateResult {
+export function statusLine({ body, dataset, said }: Page): TemplateResult {
   const { made, progress } = body;
   const { backend } = dataset;
   const picture = backend === 'WebGL2' ? FIELD_WORDS.webgl2 : (backend ?? FIELD_WORDS.loading);
-  const difference = state.where === 'gpu' ? body.difference : null;
   return html`<div class="status">
-    <div class="bar ${progress === null ? '' : 'on'}"><i style="width:${100 * (progress ?? 0)}%"></i></div>
+    ${bar(progress)}
     <span role="status" aria-live="polite"><b>${said || settled(body)}</b></span>
     <span><i class="dot ${backend === 'WebGPU' ? '' : 'slow'}"></i>${picture}${made ? ` · ${FIELD_WORDS.facts(made)}` : nothing}</span>
-    ${made ? html`<span>${FIELD_WORDS.work(made, difference)}</span>` : nothing}
+    ${made ? html`<span>${FIELD_WORDS.work(made)}</span>` : nothing}
   </div>`;
+}
+
+function bar(progress: number | null): TemplateResult {
+  const percent = Math.round(100 * (progress ?? 0));
+  return html`<div class="bar ${progress === null ? '' : 'on'}" role="progressbar" aria-label=${FIELD_WORDS.making}
+    aria-valuenow=${percent}><i style="width:${percent}%"></i></div>`;
 }
 
 function settled({ made, problem }: FieldBody): string {

@@ -1,5 +1,6 @@
 /** The body on the page: made by a worker from the latest tree, the last good one kept while there is none. */
 import type { FromWorker, Made, ToWorker, Wanted } from '../../field/fieldWork.ts';
+import type { Lattice } from '../../field/lattice.ts';
 import type { FieldNode } from '../../field/node.ts';
 import { messageOf } from '../events.ts';
 import { FieldOnGpu } from './fieldOnGpu.ts';
@@ -7,8 +8,6 @@ import { FieldOnGpu } from './fieldOnGpu.ts';
 export class FieldBody {
   /** the last that was made */
   made: Made | null = null;
-  /** largest difference of the GPU's values; null where the CPU took them */
-  difference: number | null = null;
   /** 0–1 of the step under way; null: nothing is being made */
   progress: number | null = null;
   /** why there is no body for the latest tree, in words */
@@ -18,6 +17,8 @@ export class FieldBody {
   #gpu: FieldOnGpu | null = null;
   #node: FieldNode | null = null;
   #latest = 0;
+  /** the last tree that was refused: nothing from before it is shown any more */
+  #refused = 0;
 
   /** `changed` hears of every change of what is here. */
   constructor(changed: () => void) {
@@ -36,72 +37,83 @@ export class FieldBody {
 
   /** `tree` may throw a FieldError: the last body stays. */
   make(tree: () => FieldNode, resolution: number, onDevice: boolean): void {
-    this.#latest++;
+    const id = ++this.#latest;
     try {
       this.#node = tree();
     } catch (error) {
+      this.#worker?.postMessage({ type: 'stop', id } satisfies ToWorker);
       this.#refuse(messageOf(error));
       return;
     }
     this.progress = 0;
     const values = onDevice && this.#gpu ? 'page' : 'worker';
-    if (values === 'worker') this.difference = null;
-    this.#post({ type: 'make', id: this.#latest, node: this.#node, resolution, values });
+    this.#worker ??= this.#start();
+    this.#worker.postMessage({ type: 'make', id, node: this.#node, resolution, values } satisfies ToWorker);
     this.#changed();
   }
 
   stop(): void {
     this.#worker?.terminate();
     this.#worker = null;
+    this.progress = null;
     this.device = null;
-  }
-
-  #post(message: ToWorker): void {
-    this.#worker ??= this.#start();
-    this.#worker.postMessage(message);
   }
 
   #start(): Worker {
     const worker = new Worker(new URL('../../worker/field.ts', import.meta.url), { type: 'module' });
     worker.onmessage = ({ data }: MessageEvent<FromWorker>) => {
-      // what was asked for before the latest is of no use any more
-      if (data.id === this.#latest) this.#hear(data);
+      if (data.id === this.#latest) this.#hear(data, worker);
+      // under a slider that is being dragged there is no time for more
+      else if (data.type === 'made' && data.draft && data.id > this.#refused) this.#show(data);
     };
     worker.onerror = ({ message }) => this.#refuse(message || 'the worker could not start');
     return worker;
   }
 
-  #hear(said: FromWorker): void {
-    if (said.type === 'wanted') {
-      void this.#answer(said);
-      return;
+  /** Of what was asked for last. */
+  #hear(said: FromWorker, worker: Worker): void {
+    switch (said.type) {
+      case 'wanted':
+        void this.#answer(said, worker);
+        return;
+      case 'refused':
+        this.#refuse(said.message);
+        return;
+      case 'progress':
+        this.progress = said.share;
+        this.#changed();
+        return;
+      case 'made':
+        if (!said.draft) this.progress = null;
+        this.#show(said);
     }
-    if (said.type === 'refused') {
-      this.#refuse(said.message);
-      return;
-    }
-    if (said.type === 'progress') this.progress = said.share;
-    if (said.type === 'made') {
-      this.problem = null;
-      this.made = said;
-      if (!said.draft) this.progress = null;
-    }
+  }
+
+  #show(made: Made): void {
+    this.made = made;
+    this.problem = null;
     this.#changed();
   }
 
-  async #answer({ id, lattice }: Wanted): Promise<void> {
-    try {
-      const { values, difference } = await this.#gpu!.values(this.#node!, lattice);
-      this.difference = difference;
-      this.#post({ type: 'values', id, values });
-    } catch (error) {
-      this.difference = null;
-      this.#post({ type: 'values', id, values: null });
-      console.warn('rotund-field: the values come from the CPU.', error);
-    }
+  /** By the time there are values the element may be gone, or something else be wanted: nobody waits for them then. */
+  async #answer({ id, lattice }: Wanted, worker: Worker): Promise<void> {
+    const isWaiting = () => worker === this.#worker && id === this.#latest;
+    const values = await this.#values(lattice).catch((error: unknown) => {
+      if (isWaiting()) console.warn('The values come from the CPU.', error);
+      return null;
+    });
+    if (!isWaiting()) return;
+    const answer: ToWorker = { type: 'values', id, values };
+    worker.postMessage(answer, values ? [values.buffer] : []);
+  }
+
+  /** Null where the device went since the tree was sent. */
+  async #values(lattice: Lattice): Promise<Float32Array<ArrayBuffer> | null> {
+    return this.#gpu && this.#node ? this.#gpu.values(this.#node, lattice) : null;
   }
 
   #refuse(message: string): void {
+    this.#refused = this.#latest;
     this.problem = message;
     this.progress = null;
     this.#changed();

@@ -1,9 +1,10 @@
 /** Pointers, keys and the view ball on the field page: all of them only look. */
 import type { CameraRig } from '../../scene/index.ts';
+import { dragOf, keyOf } from '../lookKeys.ts';
 import type { PointerTarget } from '../pointer.ts';
 import type { BallActions } from '../viewBall.ts';
 
-export interface HandsHost {
+interface HandsHost {
   /** null while there is no scene */
   readonly rig: CameraRig | null;
   /** another frame is wanted */
@@ -15,8 +16,6 @@ export interface HandsHost {
   toggleWires(): void;
 }
 
-/** px of a drag that an arrow key stands for, as in the application */
-const ARROW = 24;
 const NEARER = 1.15;
 
 export class FieldHands {
@@ -59,20 +58,13 @@ export class FieldHands {
   /** For the picture, while it has the focus. */
   key(event: KeyboardEvent): void {
     if (event.ctrlKey || event.metaKey || event.altKey || event.defaultPrevented) return;
-    if (this.#press(event.key)) event.preventDefault();
+    if (this.#press(keyOf(event))) event.preventDefault();
   }
 
   #press(key: string): boolean {
-    const turn = (dx: number, dy: number) => this.#move((rig) => rig.orbit(dx * ARROW, dy * ARROW));
+    const drag = dragOf(key);
+    if (drag) return this.#move((rig) => rig.orbit(...drag));
     switch (key) {
-      case 'ArrowLeft':
-        return turn(-1, 0);
-      case 'ArrowRight':
-        return turn(1, 0);
-      case 'ArrowUp':
-        return turn(0, -1);
-      case 'ArrowDown':
-        return turn(0, 1);
       case '+':
       case '=':
         return this.#move((rig) => rig.zoom(NEARER));

@@ -40,13 +40,11 @@ export const fieldLayout = css`
   .pictogram .faint { stroke: var(--edge); stroke-width: 1; }
 
   .status { max-width: calc(100% - var(--dock) - 9rem); }
-  .status .facts { display: inline; }
   .view { right: calc(var(--dock) + 2 * var(--gap)); }
   .bar { width: 10rem; height: 3px; border-radius: 2px; background: var(--track); overflow: hidden; visibility: hidden; }
   .bar.on { visibility: visible; }
   .bar i { display: block; height: 100%; background: var(--pencil); }
   .notice { left: calc(50% - (var(--dock) + var(--gap)) / 2); max-width: calc(100% - var(--dock) - 4 * var(--gap)); overflow-wrap: anywhere; user-select: text; -webkit-user-select: text; padding: 0.75rem 1rem; gap: 0.75rem; align-items: flex-start; }
-  .notice:has(button) { padding: 0.25rem 0.25rem 0.25rem 1rem; align-items: center; }
 
   @container (max-width: 1199px) {
     .app { --dock: 19rem; }

@@ -18,7 +18,7 @@ function turned(yaw: number, pitch: number): Quat {
 }
 
 /** Where the page looks from at first. */
-export const FIRST_VIEW: View = { ...FRONT_VIEW, rotation: turned(YAW, PITCH) };
+const FIRST_VIEW: View = { ...FRONT_VIEW, rotation: turned(YAW, PITCH) };
 
 /** as many times as large as what the picture was fitted to */
 const OUTGROWN = 1.8;

@@ -16,7 +16,7 @@ export const FIELD_WORDS = {
   none: 'Not made',
   facts: ({ mesh }: Made) =>
     `${count(mesh.indices.length / 3)} triangles · ${count(mesh.positions.length / 3)} vertices`,
-  work: ({ evaluations, lattice, milliseconds }: Made, difference: number | null) => {
+  work: ({ evaluations, lattice, difference, milliseconds }: Made) => {
     const all = difference === null ? evaluations : evaluations + nodeCount(lattice);
     const where =
       difference === null ? 'CPU float64' : `GPU float32, off by ${difference.toExponential(1)} at most`;

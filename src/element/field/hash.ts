@@ -8,9 +8,10 @@ import {
   NUMBER_KEYS,
   NUMBERS,
   type NumberSpec,
+  rounded,
 } from './fieldState.ts';
 
-export interface FromHash {
+interface FromHash {
   readonly state: FieldState;
   /** what is wrong with the address, in words; the state is the default one then */
   readonly problem: string | null;
@@ -42,11 +43,13 @@ function read(state: Record<string, number | string>, key: string, text: string)
     return null;
   }
   if (!Object.hasOwn(NUMBERS, key)) return `nothing here is called ${shown(key)}`;
-  const { min, max }: NumberSpec = NUMBERS[key as keyof typeof NUMBERS];
+  const spec: NumberSpec = NUMBERS[key as keyof typeof NUMBERS];
   const value = text.trim() === '' ? Number.NaN : Number(text);
-  if (!(value >= min && value <= max))
-    return `${key} is a number from ${min} to ${max}; found ${shown(text)}`;
-  state[key] = value;
+  const { min, max, step } = spec;
+  if (!(value >= min && value <= max) || (step && rounded(spec, value) !== value))
+    return `${key} is ${step ? `a multiple of ${step}` : 'a number'} from ${min} to ${max}; found ${shown(text)}`;
+  // no −0
+  state[key] = value + 0;
   return null;
 }
 

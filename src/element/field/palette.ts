@@ -2,7 +2,7 @@
 import type { Colour } from '../../field/node.ts';
 
 /** #rrggbb → linear light. */
-export function paint(hex: string): Colour {
+function paint(hex: string): Colour {
   const channel = (shift: number) => {
     const x = ((Number.parseInt(hex.slice(1), 16) >> shift) & 255) / 255;
     return x <= 0.04045 ? x / 12.92 : ((x + 0.055) / 1.055) ** 2.4;

@@ -5,7 +5,7 @@ import type { Shape } from '../../shape/index.ts';
 import { CHOICES, NUMBERS } from './fieldState.ts';
 import { KERNEL_CAPTIONS, kernelPicture, skeletonPicture } from './pictograms.ts';
 import { type Desk, segment, select, slider, tiles } from './rows.ts';
-import { examplesOf, firstWeight, paramsOf } from './tree.ts';
+import { examplesOf, firstWeight, hasTwoEnds, ordinatesOf, paramsOf } from './tree.ts';
 
 const section = (title: string, body: unknown) =>
   html`<section aria-label=${title}><h3>${title}</h3>${body}</section>`;
@@ -18,17 +18,14 @@ export function controls(desk: Desk, gpu: boolean): TemplateResult {
 }
 
 function skeleton(desk: Desk): TemplateResult {
-  const { by, skeleton: preset, degree } = desk.state;
-  const isSegment = preset === 'segment';
-  const ordinates = (['weight1', 'weight2', 'weight3'] as const).slice(0, Number(degree));
+  const { state } = desk;
+  const radii = hasTwoEnds(state) ? (['radius', 'radiusEnd'] as const) : (['radius'] as const);
+  const ordinates = (['weight1', 'weight2', 'weight3'] as const).slice(0, ordinatesOf(state) ?? 0);
+  const hasDegree = state.by === 'weight' && state.skeleton === 'segment';
   return html`${tiles(desk, 'skeleton', 3, skeletonPicture)}
     ${segment(byDesk(desk), 'by')}
-    ${
-      by === 'radius'
-        ? html`${slider(desk, 'radius')}${isSegment ? slider(desk, 'radiusEnd') : nothing}`
-        : html`${slider(desk, 'weight')}${isSegment ? segment(desk, 'degree') : nothing}
-          ${isSegment ? ordinates.map((key) => slider(desk, key)) : nothing}`
-    }
+    ${state.by === 'radius' ? radii.map((key) => slider(desk, key)) : slider(desk, 'weight')}
+    ${hasDegree ? segment(desk, 'degree') : nothing} ${ordinates.map((key) => slider(desk, key))}
     ${slider(desk, 'T')}`;
 }
 

@@ -24,7 +24,7 @@ export interface Desk {
 const STEPS = 200;
 
 /** "0.04", "1 250", "−3" with its unit. */
-export function written({ unit }: NumberSpec, value: number): string {
+function written({ unit }: NumberSpec, value: number): string {
   const text = Math.abs(value) >= 1e5 ? value.toExponential(1) : String(value);
   const number = text.replace('-', '−');
   return unit === '°' ? `${number}°` : unit ? `${number} ${unit}` : number;
@@ -49,7 +49,7 @@ export function slider(desk: Desk, key: NumberKey): TemplateResult {
 /** A few short words side by side. */
 export function segment(desk: Desk, key: ChoiceKey, labelled = true): TemplateResult {
   const { label, options }: ChoiceSpec = CHOICES[key];
-  return html`${labelled ? html`<h4 id="${key}-label">${label}</h4>` : nothing}
+  return html`${labelled ? html`<h4>${label}</h4>` : nothing}
     <div class="segment" role="radiogroup" aria-label=${label} @keydown=${roving}>
       ${options.map(([id, name]) => radio(desk, key, id, html`${name}`))}
     </div>`;
@@ -86,7 +86,7 @@ export function select(
   return html`<div class="pull">
     <label for=${id}>${label}</label>
     <select id=${id} @change=${(event: Event) => set((event.target as HTMLSelectElement).value)}>
-      ${options.map(([option, name]) => html`<option value=${option} ?selected=${option === value}>${name}</option>`)}
+      ${options.map(([option, name]) => html`<option value=${option} .selected=${option === value}>${name}</option>`)}
     </select>
   </div>`;
 }

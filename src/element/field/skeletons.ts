@@ -7,7 +7,7 @@ import { cos, sin, TAU } from '../../math/trig.ts';
 import type { Vec2, Vec3 } from '../../math/vec.ts';
 import { PAINT } from './palette.ts';
 
-export interface PointPiece {
+interface PointPiece {
   readonly type: 'point';
   readonly at: Vec3;
   readonly radius: number;
@@ -15,12 +15,31 @@ export interface PointPiece {
 }
 
 export interface LinePiece {
-  /** two points are a segment */
-  readonly type: 'line' | 'loop' | 'curve';
-  /** control points of a curve, of at least 4 */
+  readonly type: 'segment' | 'loop' | 'curve' | 'spline';
+  /** two of a segment; at least 4 control points of a curve; on, off, on … of a spline of quadratic pieces */
   readonly points: readonly Vec3[];
-  /** one a point */
+  /** one a point; of a spline, one a point that it goes through */
   readonly radii: readonly number[];
+  readonly colour: Colour;
+}
+
+export interface ArcPiece {
+  readonly type: 'arc';
+  readonly centre: Vec3;
+  readonly start: Vec3;
+  /** about z, radians */
+  readonly angle: number;
+  /** at both ends */
+  readonly radii: readonly number[];
+  readonly colour: Colour;
+}
+
+/** A line whose weight is a drawn curve. */
+export interface WeightCurvePiece {
+  readonly type: 'profile';
+  readonly points: readonly Vec3[];
+  /** that the weight would keep which it has at first */
+  readonly radius: number;
   readonly colour: Colour;
 }
 
@@ -32,13 +51,13 @@ export interface PlatePiece {
   readonly colour: Colour;
 }
 
-export type Piece = PointPiece | LinePiece | PlatePiece;
+export type Piece = PointPiece | LinePiece | ArcPiece | WeightCurvePiece | PlatePiece;
 
 /** The radius for which the pieces are given, mm. */
 export const NOMINAL = 16;
 
 const line = (colour: Colour, ...ends: readonly (readonly [...Vec3, number])[]): LinePiece => ({
-  type: 'line',
+  type: 'segment',
   points: ends.map(([x, y, z]): Vec3 => [x, y, z]),
   radii: ends.map(([, , , radius]) => radius),
   colour,
@@ -118,6 +137,43 @@ export const SKELETONS: Readonly<Record<string, () => readonly Piece[]>> = {
       [70, 30, 0, 5],
     ),
   ],
+  spline: () => [
+    {
+      type: 'spline',
+      points: [
+        [-72, -16, 0],
+        [-38, 64, 24],
+        [0, 0, 0],
+        [38, -64, -24],
+        [72, 16, 0],
+      ],
+      radii: [8, NOMINAL, 8],
+      colour: PAINT.leaf,
+    },
+  ],
+  arc: () => [
+    {
+      type: 'arc',
+      centre: [0, 0, 0],
+      start: [46, 0, 0],
+      angle: 0.7 * TAU,
+      radii: [NOMINAL, 8],
+      colour: PAINT.fox,
+    },
+  ],
+  profile: () => [
+    {
+      type: 'profile',
+      points: [
+        [-66, -24, 0],
+        [-26, 20, 0],
+        [26, 20, 0],
+        [66, -24, 0],
+      ],
+      radius: NOMINAL,
+      colour: PAINT.rose,
+    },
+  ],
   concave: () => [{ type: 'plate', loops: [star], radius: NOMINAL, colour: PAINT.pear }],
-  holed: () => [{ type: 'plate', loops: [frame, circle(24, () => 26)], radius: NOMINAL, colour: PAINT.rose }],
+  holed: () => [{ type: 'plate', loops: [frame, circle(24, () => 26)], radius: NOMINAL, colour: PAINT.wood }],
 };

@@ -1,18 +1,22 @@
-/** State → tree. Radii become weights of the kernel at hand; FieldError, with the place, where it has none for them. */
+/** State → tree. FieldError, with the place, where the kernel at hand has no weight for a radius. */
 import type { Affine } from '../../field/affine.ts';
+import type { AnySkel } from '../../field/expand.ts';
 import type { FieldNode, SkelsNode, Term } from '../../field/node.ts';
 import type { Warp } from '../../field/warp.ts';
 import { kernelNamed } from '../../kernel/index.ts';
 import type { Kernel, KernelParams } from '../../kernel/kernel.ts';
 import { cos, PI, sin } from '../../math/trig.ts';
 import { kindOf, type Shape, shapes } from '../../shape/index.ts';
+import { at } from '../../skeleton/place.ts';
+import { weightPieces } from '../../skeleton/profile.ts';
+import { hasRadii, type RoundSkel, weighted } from '../../skeleton/radii.ts';
 import { FieldError } from '../../skeleton/skeleton.ts';
 import { pointWeight, widthFor } from '../../skeleton/weight.ts';
 import type { FieldState } from './fieldState.ts';
 import { PAINT } from './palette.ts';
 import { profileNamed } from './profiles.ts';
 import { NOMINAL, type Piece, SKELETONS } from './skeletons.ts';
-import { skelOf, type Weigh, weighByRadius, weighByWeight } from './weigh.ts';
+import { type Body, type Weigh, weighByRadius, weighByWeight } from './weigh.ts';
 
 export function treeOf(state: FieldState): FieldNode {
   const body = bodyOf(state);
@@ -29,7 +33,7 @@ export function treeOf(state: FieldState): FieldNode {
 function bodyOf(state: FieldState): SkelsNode {
   const kernel = kernelOf(state);
   const params = paramsOf(state);
-  const weigh = weigher(state, kernel, params);
+  const weigh = weigher(state, { kernel, params, threshold: state.T, parts: partsOf(state) });
   const skels = piecesOf(state).map((piece, i) => at(`skels[${i}]`, () => termOf(piece, weigh, state)));
   const carving = at(`skels[${skels.length}]`, () => carver(state, kernel, params));
   return { type: 'skels', kernel: kernel.name, params, threshold: state.T, skels: [...skels, ...carving] };
@@ -49,11 +53,29 @@ export function paramsOf(state: FieldState): KernelParams {
   return { ...fitted, R: Math.max(fitted.R, (WITHIN_SUPPORT * Math.max(...radii)) / kernel.support) };
 }
 
-/** The weight that the first piece has by its radius. */
+/** The weight with which the first piece stays as it is by its radius. */
 export function firstWeight(state: FieldState): number {
-  const weigh = weighByRadius(kernelOf(state), paramsOf(state), state.T);
-  const skel = skelOf(piecesOf(state)[0]!, weigh);
-  return 'weight' in skel ? skel.weight : skel.weights[0]!;
+  const [kernel, params, piece] = [kernelOf(state), paramsOf(state), piecesOf(state)[0]!];
+  const skel = weighByRadius({ kernel, params, threshold: state.T, parts: partsOf(state) })(piece);
+  const first = firstOf(hasRadii(skel) ? weighted(skel, kernel, params, state.T) : skel);
+  return (first * state.radius) / ('radii' in piece ? piece.radii[0]! : piece.radius);
+}
+
+function firstOf(skel: Exclude<AnySkel, RoundSkel>): number {
+  if ('weight' in skel) return skel.weight;
+  return 'weights' in skel ? skel.weights[0]! : weightPieces(skel.curve)[0]!.coefficients[0];
+}
+
+/** Ordinates after the first of a weight that has its own sliders; null: the radii say how it changes. */
+export function ordinatesOf({ skeleton, by, degree }: FieldState): number | null {
+  if (skeleton === 'profile') return 3;
+  if (by === 'radius') return null;
+  return skeleton === 'arc' ? 1 : skeleton === 'segment' ? Number(degree) : null;
+}
+
+function partsOf(state: FieldState): Body['parts'] {
+  const count = ordinatesOf(state);
+  return count === null ? null : [1, state.weight1, state.weight2, state.weight3].slice(0, count + 1);
 }
 
 function kernelOf({ kernel }: FieldState): Kernel {
@@ -67,23 +89,24 @@ function piecesOf(state: FieldState): readonly Piece[] {
   const pieces = SKELETONS[state.skeleton]!();
   const scale = state.radius / NOMINAL;
   return pieces.map((piece): Piece => {
-    if (piece.type === 'point' || piece.type === 'plate') return { ...piece, radius: scale * piece.radius };
+    if ('radius' in piece) return { ...piece, radius: scale * piece.radius };
     const radii = piece.radii.map((radius) => scale * radius);
-    return { ...piece, radii: state.skeleton === 'segment' ? [radii[0]!, state.radiusEnd] : radii };
+    return { ...piece, radii: hasTwoEnds(state) ? [radii[0]!, state.radiusEnd] : radii };
   });
 }
 
-function weigher(state: FieldState, kernel: Kernel, params: KernelParams): Weigh {
-  if (state.by === 'radius') return weighByRadius(kernel, params, state.T);
-  const { weight, weight1, weight2, weight3, degree, radius } = state;
-  const all = [1, weight1, weight2, weight3];
-  const ordinates = state.skeleton === 'segment' ? all.slice(0, Number(degree) + 1) : null;
-  return weighByWeight(weight, radius, ordinates);
+/** Whether the radius at the other end has its own slider. */
+export function hasTwoEnds({ skeleton }: FieldState): boolean {
+  return skeleton === 'segment' || skeleton === 'arc';
+}
+
+function weigher(state: FieldState, body: Body): Weigh {
+  return state.by === 'radius' ? weighByRadius(body) : weighByWeight(state.weight, state.radius, body);
 }
 
 function termOf(piece: Piece, weigh: Weigh, state: FieldState): Term {
   const warp = warpOf(piece, state);
-  const term = { skel: skelOf(piece, weigh), colour: piece.colour };
+  const term = { skel: weigh(piece), colour: piece.colour };
   return warp ? { ...term, warp } : term;
 }
 
@@ -136,13 +159,4 @@ function placement({ shapeSize: k, shapeTilt, shapeTurn, shapeX }: FieldState): 
   const [c, s] = [k * cos(turn), k * sin(turn)];
   const [d, e] = [cos(tilt), sin(tilt)];
   return [c, -s * d, s * e, shapeX, s, c * d, -c * e, 0, 0, k * e, k * d, 0];
-}
-
-/** Puts the place before what is refused inside. */
-function at<T>(place: string, make: () => T): T {
-  try {
-    return make();
-  } catch (error) {
-    throw error instanceof FieldError ? new FieldError(`${place}: ${error.message}`) : error;
-  }
 }

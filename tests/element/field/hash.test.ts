@@ -46,13 +46,33 @@ describe('address', () => {
     ['#kernel=foo', /kernel is one of cauchy, .*found “foo”/],
     ['#radius=1000', /radius is a number from 2 to 60; found “1000”/],
     ['#radius=', /radius is a number/],
-    ['#T=NaN', /T is a number/],
+    ['#T=NaN', /T is a multiple/],
+    ['#T=Infinity', /T is a multiple of 0.25 from 0 to 20; found “Infinity”/],
+    ['#operation=union&example=0.5', /example is a multiple of 1 from 0 to 9; found “0.5”/],
+    ['#example=-1', /example is a multiple of 1 from 0 to 9/],
+    ['#resolution=33', /resolution is a multiple of 8 from 16 to 160/],
+    ['#carve=-0.12', /carve is a multiple of 0.05/],
+    ['#radius=2,5', /radius is a number/],
+    ['#kernel=', /kernel is one of/],
+    ['#kernel=Cauchy', /kernel is one of/],
     ['#toString=1', /nothing here is called “toString”/],
     ['#__proto__=1', /nothing here is called “__proto__”/],
     [`#radius=${'9'.repeat(9999)}`, /found “9{24}…”/],
   ])('%# %s is told in words, and the defaults stay', (hash, problem) => {
     expect(fromHash(hash)).toEqual({ state: DEFAULT_STATE, problem: expect.stringMatching(problem) });
   });
+});
+
+test.each(NUMBER_KEYS)('%s: no number, however odd, gets past its slider', (key) => {
+  const { min, max, step }: NumberSpec = NUMBERS[key];
+  const odd = [-0, 0.1 + 0.2, 1 / 3, 1e-300, 1e300, (min + max) / 2 + 1e-9, Math.PI, min, max];
+  for (const value of odd) {
+    const { state, problem } = fromHash(`#${key}=${value}`);
+    expect(state[key]).toBe(problem ? NUMBERS[key].default : value + 0);
+    expect(state[key]).toBeGreaterThanOrEqual(min);
+    expect(state[key]).toBeLessThanOrEqual(max);
+    if (step) expect(Math.abs(state[key] / step - Math.round(state[key] / step))).toBeLessThan(1e-9);
+  }
 });
 
 describe('sliders', () => {

@@ -1,11 +1,25 @@
 /** Every preset, kernel, section and operation of the field page has a field; what has none says where and why. */
+import fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
-import { CHOICES, DEFAULT_STATE, type FieldState } from '../../../src/element/field/fieldState.ts';
+import {
+  CHOICE_KEYS,
+  CHOICES,
+  DEFAULT_STATE,
+  type FieldState,
+  fromSlider,
+  NUMBER_KEYS,
+  NUMBERS,
+} from '../../../src/element/field/fieldState.ts';
 import { examplesOf, firstWeight, paramsOf, treeOf } from '../../../src/element/field/tree.ts';
 import { bindField } from '../../../src/field/bind.ts';
+import { expanded } from '../../../src/field/expand.ts';
+import type { SkelsNode } from '../../../src/field/node.ts';
 import { polygonize } from '../../../src/field/polygonize.ts';
+import { kernelNamed } from '../../../src/kernel/index.ts';
 import { topology } from '../../../src/mesh/check.ts';
 import { bounds } from '../../../src/mesh/measure.ts';
+import type { ProfileSkel } from '../../../src/skeleton/profile.ts';
+import { FieldError } from '../../../src/skeleton/skeleton.ts';
 
 const state = (change: Partial<FieldState>) => ({ ...DEFAULT_STATE, ...change }) as FieldState;
 const ids = (key: keyof typeof CHOICES) => CHOICES[key].options.map(([id]) => id as string);
@@ -29,6 +43,51 @@ test.each(ids('shape'))('%s: each example under each operation', (shape) => {
   });
 });
 
+test('every kind of skel is on the page', () => {
+  const kinds = ids('skeleton').flatMap((skeleton) => {
+    const tree = treeOf(state({ skeleton }));
+    return tree.type === 'skels' ? tree.skels.map(({ skel }) => skel.type) : [];
+  });
+  const all = ['arc', 'nurbs', 'point', 'polygon', 'polyline', 'profile', 'quadratic', 'segment'];
+  expect([...new Set(kinds)].sort()).toEqual(all);
+});
+
+test.each(['arc', 'spline', 'profile'])('%s: one solid body', (skeleton) => {
+  const { mesh } = polygonize(field({ skeleton }), 32);
+  expect(topology(mesh)).toMatchObject({ watertight: true, components: 1, genus: 0 });
+});
+
+/** Any state that the address lets in. */
+const states = fc.record({
+  ...Object.fromEntries(
+    NUMBER_KEYS.map((key) => [
+      key,
+      fc.oneof(
+        fc.constantFrom(0, 1).map((place) => fromSlider(NUMBERS[key], place)),
+        fc.double({ min: 0, max: 1, noNaN: true }).map((place) => fromSlider(NUMBERS[key], place)),
+      ),
+    ]),
+  ),
+  ...Object.fromEntries(CHOICE_KEYS.map((key) => [key, fc.constantFrom(...ids(key))])),
+}) as unknown as fc.Arbitrary<FieldState>;
+
+test('any state has a field, or says in words why not (seed 2)', () => {
+  let fields = 0;
+  fc.assert(
+    fc.property(states, (any) => {
+      try {
+        // T = 0, at the slider's end, has no field of anything
+        bindField(treeOf({ ...any, T: any.T || 1 }));
+        fields++;
+      } catch (error) {
+        expect(error).toBeInstanceOf(FieldError);
+      }
+    }),
+    { seed: 2, numRuns: 300 },
+  );
+  expect(fields).toBeGreaterThan(200);
+});
+
 test('the first body is one solid animal', () => {
   const { mesh } = polygonize(field({}), 40);
   expect(topology(mesh)).toMatchObject({ watertight: true, components: 1, genus: 0 });
@@ -45,13 +104,50 @@ describe('radii', () => {
     },
   );
 
-  test('going over to weights leaves the body as it is', () => {
-    const before = state({ skeleton: 'segment', radiusEnd: 16 });
-    const after = { ...before, by: 'weight', weight: firstWeight(before) };
-    expect(bindField(treeOf(after)).value(3, 15, 0)).toBeCloseTo(
-      bindField(treeOf(before)).value(3, 15, 0),
-      9,
-    );
+  const even = ['point', 'segment', 'crossed', 'ring', 'arc', 'profile', 'concave', 'holed'];
+  test.each(even)('%s: going over to weights leaves the body as it is', (skeleton) => {
+    const before = state({ skeleton, radiusEnd: 16, weight1: 1, weight2: 1, weight3: 1 });
+    const after = state({ ...before, by: 'weight', weight: firstWeight(before) });
+    const values = [before, after].map((of) => {
+      const body = bindField(treeOf(of));
+      return [body.value(-50, 3, 2), body.value(3, 15, 0), body.value(46, 10, 5)];
+    });
+    expect(values[1]).toEqual(values[0]!.map((value) => expect.closeTo(value, 6)));
+  });
+
+  // how a spline is cut goes by all of its weights
+  const cutAlike = ids('skeleton').filter((id) => id !== 'spline');
+  test.each(cutAlike)('%s: by weight the first weight stays', (skeleton) => {
+    const before = state({ skeleton });
+    const after = state({ ...before, by: 'weight', weight: firstWeight(before) });
+    const [old, now] = [before, after].map((of) => {
+      const { params, threshold, skels } = treeOf(of) as SkelsNode;
+      const [first] = expanded(skels[0]!.skel, kernelNamed('cauchy')!, params, threshold);
+      return 'weight' in first! ? first.weight : first!.weights[0]!;
+    });
+    expect(now! / old!).toBeCloseTo(1, 6);
+  });
+
+  test.each([
+    ['ring', 'polyline'],
+    ['curve', 'nurbs'],
+    ['arc', 'arc'],
+    ['point', 'point'],
+  ])('%s: radii are left to the body', (skeleton, type) => {
+    const { skels } = treeOf(state({ skeleton })) as SkelsNode;
+    expect(skels[0]!.skel).toMatchObject({ type });
+    expect('radii' in skels[0]!.skel || 'radius' in skels[0]!.skel).toBe(true);
+  });
+
+  test('a drawn weight is that of its sliders', () => {
+    const drawn = { skeleton: 'profile', by: 'weight', weight: 2, weight1: 0.5, weight2: 3, weight3: 0 };
+    const { skels } = treeOf(state(drawn)) as SkelsNode;
+    expect(skels[0]!.skel).toMatchObject({ curve: { type: 'bezier', ordinates: [2, 1, 6, 0] } });
+    const { skels: byRadius } = treeOf(state({ ...drawn, by: 'radius' })) as SkelsNode;
+    const { curve } = byRadius[0]!.skel as ProfileSkel;
+    if (curve.type !== 'bezier') throw new Error('ordinates were wanted');
+    const [first] = curve.ordinates;
+    expect(curve.ordinates.map((w) => w / first!)).toEqual([1, 0.5, 3, 0].map((x) => expect.closeTo(x, 9)));
   });
 
   test('ordinates are those of the weight along the segment', () => {
