@@ -74,7 +74,7 @@ export const NUMBERS = {
   shapeX: stepped(1, 'Along x', -100, 100, 30, 'mm'),
   shapeTurn: stepped(5, 'Turned about z', -180, 180, 30, '°'),
   shapeTilt: stepped(5, 'Turned about x', -180, 180, 60, '°'),
-  resolution: stepped(8, 'Cells along the longest side', 16, 160, 72),
+  resolution: stepped(8, 'Cells along the longest side', 16, 256, 104),
 } as const satisfies Record<string, NumberSpec>;
 
 export const CHOICES = {
