@@ -50,7 +50,7 @@ describe('address', () => {
     ['#T=Infinity', /T is a multiple of 0.25 from 0 to 20; found “Infinity”/],
     ['#operation=union&example=0.5', /example is a multiple of 1 from 0 to 9; found “0.5”/],
     ['#example=-1', /example is a multiple of 1 from 0 to 9/],
-    ['#resolution=33', /resolution is a multiple of 8 from 16 to 160/],
+    ['#resolution=33', /resolution is a multiple of 8 from 16 to 256/],
     ['#carve=-0.12', /carve is a multiple of 0.05/],
     ['#radius=2,5', /radius is a number/],
     ['#kernel=', /kernel is one of/],
