@@ -9,6 +9,7 @@ import { type Kernel, type KernelParams, type LineField, LineFrame } from '../ke
 import type { Vec3 } from '../math/vec.ts';
 import { checkedParams, checkFinite, reach, whole } from './binding.ts';
 import { boxOf } from './boxOf.ts';
+import { SegmentSpread } from './segmentSpread.ts';
 import {
   type Box,
   FieldError,
@@ -18,8 +19,6 @@ import {
   type Spread,
 } from './skeleton.ts';
 import type { SegmentSkel } from './skels.ts';
-import { Spreader } from './spread.ts';
-import { weightRange } from './weightRange.ts';
 
 export const segment: Skeleton<SegmentSkel> = { name: 'segment', bind };
 
@@ -51,7 +50,7 @@ class SegmentField implements SkelField {
   readonly #kernel: Kernel;
   readonly #line: Kernel['line'];
   readonly #frame = new LineFrame();
-  readonly #spreader: Spreader;
+  readonly #spread: SegmentSpread;
   readonly #unit: number;
   readonly #per: number;
   readonly #support2: number;
@@ -87,8 +86,7 @@ class SegmentField implements SkelField {
       frame.weights[k] = weight * whole(this.#unit, k + 1 + kernel.homogeneity);
       if (weight !== 0) frame.degree = k;
     });
-    const extent = { dimension: 1, size: frame.length, turns: 1, ...weightRange(frame) } as const;
-    this.#spreader = new Spreader(kernel, frame.exponent, extent, this.#per);
+    this.#spread = new SegmentSpread(kernel, frame, this.#a, this.#u, this.#per);
   }
 
   /** This field by what the kernel has for linear weights, if anything. */
@@ -102,18 +100,18 @@ class SegmentField implements SkelField {
       box: this.box,
       offset: (threshold: number) => this.offset(threshold),
       spread: (x: number, y: number, z: number, radius: number, factor: number, out: Spread) =>
-        this.#spread(quick, x, y, z, radius, factor, out),
+        this.#spread.add(quick, x, y, z, radius, factor, out),
     });
   }
 
   offset(threshold: number): number {
-    const spreader = this.#spreader;
-    const reached = () => reach((r2) => spreader.most(r2), threshold, this.#kernel.support);
-    return spreader.most(0) === 0 ? 0 : this.#unit * reached();
+    const spread = this.#spread;
+    const reached = () => reach((r2) => spread.most(r2), threshold, this.#kernel.support);
+    return spread.most(0) === 0 ? 0 : this.#unit * reached();
   }
 
   spread(x: number, y: number, z: number, radius: number, factor: number, out: Spread): void {
-    this.#spread(this, x, y, z, radius, factor, out);
+    this.#spread.add(this, x, y, z, radius, factor, out);
   }
 
   value(x: number, y: number, z: number): number {
@@ -137,24 +135,6 @@ class SegmentField implements SkelField {
     out[1] = out[1]! + across * perp[0]! + along * u[0]!;
     out[2] = out[2]! + across * perp[1]! + along * u[1]!;
     out[3] = out[3]! + across * perp[2]! + along * u[2]!;
-  }
-
-  /** The spread of `field`, which is this one or its quick form. */
-  #spread(
-    field: LineField,
-    x: number,
-    y: number,
-    z: number,
-    radius: number,
-    factor: number,
-    out: Spread,
-  ): void {
-    this.#see(x, y, z);
-    const { alpha, beta, rho2, floor2 } = this.#frame;
-    const beyond = alpha > 0 ? alpha : beta < 0 ? beta : 0;
-    const distance = Math.sqrt(rho2 + beyond * beyond);
-    const isClear = floor2 === 0 || Math.sqrt(rho2) - radius * this.#per > 2 * Math.sqrt(floor2);
-    this.#spreader.add(field, x, y, z, radius, factor, out, distance, isClear, 0);
   }
 
   /** Fills the frame and the perpendicular; false where the point is beyond the support. */

@@ -97,7 +97,7 @@ export class Spreader {
     step.by = by;
     step.near = near;
     step.exponent = this.#exponent;
-    centre.fill(0);
+    for (let i = 0; i < 4; i++) centre[i] = 0;
     field.add(x, y, z, 1, centre);
     if (change.type === 'relative') this.#relative(change, isClear, slack);
     else this.#absolute(change, slack);
