@@ -25,9 +25,11 @@ export class Warped implements SkelField {
   readonly #spread = new Float64Array(SPREAD);
   readonly #move = new Float64Array(2);
   readonly box: Box;
+  readonly far: SkelField['far'];
 
   constructor(skel: SkelField, frame: Frame, section: Section, bx: number, by: number) {
     this.#skel = skel;
+    this.far = skel.far;
     this.#frame = frame;
     this.#section = section;
     this.#bx = bx;
@@ -87,6 +89,24 @@ export class Warped implements SkelField {
     const local = this.#spread.fill(0);
     this.#skel.spread(m * qx, m * qy, ez[0] * dx + ez[1] * dy + ez[2] * dz, reach, factor, local);
     if (local[4]! > 0) this.#back(local, qx, qy, reach, bend + off, out);
+  }
+
+  /** The map keeps quadratics only where it is linear. */
+  missed(x: number, y: number, z: number, radius: number): number {
+    const { origin, x: ex, y: ey, z: ez } = this.#frame;
+    const dx = x - origin[0];
+    const dy = y - origin[1];
+    const dz = z - origin[2];
+    const qx = (ex[0] * dx + ex[1] * dy + ex[2] * dz) / this.#bx;
+    const qy = (ey[0] * dx + ey[1] * dy + ey[2] * dz) / this.#by;
+    const m = this.#section.value(qx, qy);
+    const by = radius + ROUNDING * (Math.abs(dx) + Math.abs(dy) + Math.abs(dz) + radius);
+    const move = this.#move;
+    this.#section.move(qx, qy, m, by / this.#bx, by / this.#by, move);
+    const [across, bend] = [move[0]!, move[1]!];
+    if (bend !== 0 && this.far === 'quadratic') return Infinity;
+    const reach = bend === 0 ? Math.max(across, by) : Math.sqrt(across * across + by * by) * (1 + ROUNDING);
+    return this.#skel.missed(m * qx, m * qy, ez[0] * dx + ez[1] * dy + ez[2] * dz, reach);
   }
 
   /** Adds a spread of the plain skel: with its gradient brought back, or where the map bends too much for that without one. */

@@ -5,11 +5,11 @@
  * d² − h² never, because it loses all digits beyond an end. A segment of no length has no field (an integral over nothing);
  * a lump is a point skel.
  */
-import { type Kernel, type KernelParams, type LineField, LineFrame } from '../kernel/kernel.ts';
+import { type Kernel, type KernelParams, LineFrame } from '../kernel/kernel.ts';
 import type { Vec3 } from '../math/vec.ts';
 import { checkedParams, checkFinite, reach, whole } from './binding.ts';
 import { boxOf } from './boxOf.ts';
-import { SegmentSpread } from './segmentSpread.ts';
+import { segmentSpreader } from './segmentSpread.ts';
 import {
   type Box,
   FieldError,
@@ -19,6 +19,7 @@ import {
   type Spread,
 } from './skeleton.ts';
 import type { SegmentSkel } from './skels.ts';
+import { farOf, type Spreader } from './spread.ts';
 
 export const segment: Skeleton<SegmentSkel> = { name: 'segment', bind };
 
@@ -32,10 +33,13 @@ function bind({ a, b, weights }: SegmentSkel, kernel: Kernel, params: KernelPara
   const mm = lengthOf(dx, dy, dz);
   if (!(mm < Infinity)) throw new FieldError('a segment must be shorter than 1e154 mm');
   const box = boxOf([a, b]);
-  if (mm === 0) return { box, offset: () => 0, value: () => 0, add: () => {}, spread: () => {} };
+  if (mm === 0) return { box, offset: () => 0, ...NOTHING };
   const field = new SegmentField(box, [a, b], mm, weights, kernel, checked);
   return field.quick() ?? field;
 }
+
+/** of a segment of no length */
+const NOTHING = { value: () => 0, add: () => {}, spread: () => {}, missed: () => 0, far: 'nothing' } as const;
 
 /** What a kernel leaves, and the perpendicular from the line to the point: made once, filled again for each evaluation. */
 const integral = new Float64Array(3);
@@ -47,10 +51,11 @@ const perp = new Float64Array(3);
  */
 class SegmentField implements SkelField {
   readonly box: Box;
+  readonly far: SkelField['far'];
   readonly #kernel: Kernel;
   readonly #line: Kernel['line'];
   readonly #frame = new LineFrame();
-  readonly #spread: SegmentSpread;
+  readonly #spreader: Spreader;
   readonly #unit: number;
   readonly #per: number;
   readonly #support2: number;
@@ -69,6 +74,7 @@ class SegmentField implements SkelField {
     params: KernelParams,
   ) {
     this.box = box;
+    this.far = farOf(kernel);
     this.#kernel = kernel;
     this.#line = kernel.line;
     this.#unit = kernel.unit(params, mm);
@@ -86,7 +92,7 @@ class SegmentField implements SkelField {
       frame.weights[k] = weight * whole(this.#unit, k + 1 + kernel.homogeneity);
       if (weight !== 0) frame.degree = k;
     });
-    this.#spread = new SegmentSpread(kernel, frame, this.#a, this.#u, this.#per);
+    this.#spreader = segmentSpreader(kernel, frame, this.#a, this.#u, this.#per);
   }
 
   /** This field by what the kernel has for linear weights, if anything. */
@@ -98,20 +104,26 @@ class SegmentField implements SkelField {
     if (!quick) return null;
     return Object.assign(quick, {
       box: this.box,
+      far: this.far,
+      missed: (x: number, y: number, z: number, radius: number) => this.missed(x, y, z, radius),
       offset: (threshold: number) => this.offset(threshold),
       spread: (x: number, y: number, z: number, radius: number, factor: number, out: Spread) =>
-        this.#spread.add(quick, x, y, z, radius, factor, out),
+        this.#spreader.add(quick, x, y, z, radius, factor, out),
     });
   }
 
   offset(threshold: number): number {
-    const spread = this.#spread;
-    const reached = () => reach((r2) => spread.most(r2), threshold, this.#kernel.support);
-    return spread.most(0) === 0 ? 0 : this.#unit * reached();
+    const spreader = this.#spreader;
+    const reached = () => reach((r2) => spreader.most(r2), threshold, this.#kernel.support);
+    return spreader.most(0) === 0 ? 0 : this.#unit * reached();
+  }
+
+  missed(x: number, y: number, z: number, radius: number): number {
+    return this.#spreader.missed(x, y, z, radius);
   }
 
   spread(x: number, y: number, z: number, radius: number, factor: number, out: Spread): void {
-    this.#spread.add(this, x, y, z, radius, factor, out);
+    this.#spreader.add(this, x, y, z, radius, factor, out);
   }
 
   value(x: number, y: number, z: number): number {
