@@ -6,7 +6,7 @@
 import { fastAtan2 } from '../math/atan.ts';
 import { TAU } from '../math/trig.ts';
 import { FieldError } from '../skeleton/skeleton.ts';
-import { radialMove, type Section } from './section.ts';
+import { radialBend, radialMove, type Section } from './section.ts';
 
 export interface PolarProfile {
   readonly type: 'polar';
@@ -75,15 +75,14 @@ export function polarProfile({ radii }: PolarProfile): Section {
       const least = Math.max(smallest, 1 / m - swing);
       const most = Math.min(largest, 1 / m + swing);
       out[0] = radialMove(rho, by, m * rho, Math.max(rho - by, 0) / most, (rho + by) / least);
-      out[1] = by < rho ? (0.5 * bend * by * by) / (rho - by) : Infinity;
+      out[1] = radialBend(rho, by, bend);
     },
     extent: (r) => [r * largest, r * largest],
   };
 }
 
 /**
- * Bounds on |R'|, and on √(m''² + 4 m'²), m = 1/R: q' = ρ h(θ), whose second derivative around is (h'' + h)/ρ, h'' + h having
- * the parts m'' and 2 m' along and across, and whose others are 0.
+ * Bounds on |R'|, and on |h'' + h|, h the curve itself: m'' along and 2 m' across, m = 1/R.
  */
 function slopesOf(
   control: Float64Array,

@@ -50,6 +50,10 @@ export function radialMove(rho: number, radius: number, at: number, low: number,
   return Math.sqrt(along * along + at * high * chord2) * (1 + ROUNDING) + ROUNDING * high;
 }
 
+/** How far a map q' = ρ h(θ) is from linear, `most` a bound on |h'' + h|: its only second derivative is that over ρ, around. */
+export const radialBend = (rho: number, radius: number, most: number) =>
+  radius < rho ? (0.5 * most * radius * radius) / (rho - radius) : Infinity;
+
 /** The same for |q'| that rises with |x| and |y|. */
 export function risingMove(
   length: (x: number, y: number) => number,

@@ -8,7 +8,7 @@
  */
 import { pow } from '../math/pow.ts';
 import { FieldError } from '../skeleton/skeleton.ts';
-import { risingMove, type Section } from './section.ts';
+import { radialBend, risingMove, type Section } from './section.ts';
 
 export interface SuperQuadric {
   readonly type: 'superQuadric';
@@ -23,6 +23,9 @@ export function superQuadric({ exponent }: SuperQuadric): Section {
   if (!(exponent >= 0.3 && exponent <= 100))
     throw new FieldError(`exponent must be 0.3–100, got ${exponent}`);
   const stretch = (t: number, s: number) => pow(1 + s, 1 / exponent) / Math.sqrt(1 + t * t);
+  // a norm's second derivative around, largest on the diagonal, and twice its first; without a bound at the axes below 2
+  const around = Math.max((exponent - 1) * pow(2, 1 / exponent - 0.5), 1);
+  const bend = exponent >= 2 ? Math.sqrt(around * around + 4) : Infinity;
   const generic = (x: number, y: number) => {
     const large = Math.max(x, y);
     const t = large === 0 ? 0 : Math.min(x, y) / large;
@@ -53,7 +56,7 @@ export function superQuadric({ exponent }: SuperQuadric): Section {
     },
     move(x, y, m, rx, ry, out) {
       out[0] = risingMove(generic, x, y, m * Math.sqrt(x * x + y * y), rx, ry);
-      out[1] = Infinity;
+      out[1] = radialBend(Math.sqrt(x * x + y * y), Math.max(rx, ry), bend);
     },
     extent: (r) => [r, r],
   };

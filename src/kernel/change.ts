@@ -33,6 +33,8 @@ export interface RelativeChange {
   readonly type: 'relative';
   /** Sees to least, most and bend for the field of points all at distance ≥ r. */
   factors(step: Step): void;
+  /** Sees to bend as what the Taylor polynomial of the second degree leaves out. */
+  cubic(step: Step): void;
 }
 
 /** A point, a line, a plane; the latter of weight 1. */
@@ -49,8 +51,9 @@ export interface AbsoluteChange {
 
 export type Change = RelativeChange | AbsoluteChange;
 
-/** Below, 1 + nθ cancels, and the rest of Taylor's series is as good. */
+/** Below, the first terms cancel, and the rest of Taylor's series is as good. */
 const SMALL = 1e-3;
+const SMALL_CUBE = 1e-2;
 
 /** Of (core + r²)^(−n/2); `n` where the kernel has it fixed. */
 export function powerChange(core: 0 | 1, n?: number): RelativeChange {
@@ -70,6 +73,10 @@ export function powerChange(core: 0 | 1, n?: number): RelativeChange {
       const theta = by / Math.sqrt(core + r * r);
       step.bend = theta < 1 ? bend(theta, power) : Infinity;
     },
+    cubic(step) {
+      const theta = step.by / Math.sqrt(core + step.r * step.r);
+      step.bend = theta < 1 ? cubic(theta, n ?? step.exponent) : Infinity;
+    },
   };
 }
 
@@ -78,4 +85,12 @@ function bend(theta: number, n: number): number {
   const grown = halfPower(left * left, n);
   if (theta < SMALL) return (0.5 * n * (n + 1) * theta * theta * grown) / (left * left);
   return grown - 1 - n * theta;
+}
+
+function cubic(theta: number, n: number): number {
+  const left = 1 - theta;
+  const grown = halfPower(left * left, n);
+  const third = (n * (n + 1) * (n + 2)) / 6;
+  if (theta < SMALL_CUBE) return (third * theta * theta * theta * grown) / (left * left * left);
+  return grown - 1 - n * theta * (1 + 0.5 * (n + 1) * theta);
 }

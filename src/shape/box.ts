@@ -3,7 +3,7 @@
  * two faces are equally near, the gradient is that of the first of them.
  */
 import type { FieldValue } from '../skeleton/skeleton.ts';
-import { distanceField, requireSize, type ShapeKind, side } from './shape.ts';
+import { convexField, requireSize, type ShapeKind, side } from './shape.ts';
 
 export interface BoxShape {
   readonly type: 'box';
@@ -28,7 +28,7 @@ export const box: ShapeKind<BoxShape> = {
       requireSize(size, `half[${i}]`);
     });
     const [hx, hy, hz] = half;
-    return distanceField(half, {
+    return convexField(half, {
       value: (x, y, z) => boxValue(Math.abs(x) - hx, Math.abs(y) - hy, Math.abs(z) - hz),
       evaluate(x, y, z, out) {
         boxEvaluate(x, y, z, Math.abs(x) - hx, Math.abs(y) - hy, Math.abs(z) - hz, out);

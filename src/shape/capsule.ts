@@ -1,6 +1,6 @@
 /** Cylinder about the y axis with round ends: the points within the radius of a segment, the distance. */
 import { FieldError } from '../skeleton/skeleton.ts';
-import { distanceField, requireSize, type ShapeKind } from './shape.ts';
+import { convexField, requireSize, type ShapeKind } from './shape.ts';
 
 export interface Capsule {
   readonly type: 'capsule';
@@ -26,7 +26,7 @@ export const capsule: ShapeKind<Capsule> = {
   bind({ radius, half }) {
     requireSize(radius, 'radius');
     if (!(half >= 0 && half < Infinity)) throw new FieldError(`half must be at least 0 mm, got ${half}`);
-    return distanceField([radius, half + radius, radius], {
+    return convexField([radius, half + radius, radius], {
       value(x, y, z) {
         const beyond = y - Math.min(Math.max(y, -half), half);
         return radius - Math.sqrt(x * x + beyond * beyond + z * z);

@@ -1,5 +1,5 @@
 /** Round cylinder about the y axis with flat ends, the distance: a rectangle in the plane of axis and point. */
-import { distanceField, requireSize, type ShapeKind, side } from './shape.ts';
+import { convexField, requireSize, type ShapeKind, side } from './shape.ts';
 
 export interface Cylinder {
   readonly type: 'cylinder';
@@ -24,7 +24,7 @@ export const cylinder: ShapeKind<Cylinder> = {
   bind({ radius, half }) {
     requireSize(radius, 'radius');
     requireSize(half, 'half');
-    return distanceField([radius, half, radius], {
+    return convexField([radius, half, radius], {
       value(x, y, z) {
         const across = Math.sqrt(x * x + z * z) - radius;
         const along = Math.abs(y) - half;

@@ -1,7 +1,7 @@
 /** Box with rounded edges: the smaller box grown by the radius, the distance. `half` is the outer size. */
 import { FieldError } from '../skeleton/skeleton.ts';
 import { boxEvaluate, boxValue } from './box.ts';
-import { distanceField, requireSize, type ShapeKind } from './shape.ts';
+import { convexField, requireSize, type ShapeKind } from './shape.ts';
 
 export interface RoundedBox {
   readonly type: 'roundedBox';
@@ -34,7 +34,7 @@ export const roundedBox: ShapeKind<RoundedBox> = {
       );
     }
     const [ix, iy, iz] = [half[0] - radius, half[1] - radius, half[2] - radius];
-    return distanceField(half, {
+    return convexField(half, {
       value: (x, y, z) => radius + boxValue(Math.abs(x) - ix, Math.abs(y) - iy, Math.abs(z) - iz),
       evaluate(x, y, z, out) {
         boxEvaluate(x, y, z, Math.abs(x) - ix, Math.abs(y) - iy, Math.abs(z) - iz, out);

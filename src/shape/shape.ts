@@ -51,8 +51,10 @@ export function boxAbout(half: Vec3, grown = 0): Box {
   return { min: [-x, -y, -z], max: [x, y, z] };
 }
 
+type Distance = Pick<Field, 'value' | 'evaluate'>;
+
 /** A field that is a distance, its inside within `half` of the origin. */
-export function distanceField(half: Vec3, field: Pick<Field, 'value' | 'evaluate'>): ShapeField {
+export function distanceField(half: Vec3, field: Distance): ShapeField {
   const size = Math.max(...half);
   return {
     ...field,
@@ -62,6 +64,26 @@ export function distanceField(half: Vec3, field: Pick<Field, 'value' | 'evaluate
       const value = field.value(x, y, z);
       const most = radius + ROUNDING * (Math.abs(x) + Math.abs(y) + Math.abs(z) + radius + size);
       flatSpread(value - most, value + most, out);
+    },
+  };
+}
+
+/**
+ * The same for convex shapes, whose distance is nowhere above what its gradient says: from the centred form comes the upper end,
+ * from the radius the lower one.
+ */
+export function convexField(half: Vec3, field: Distance): ShapeField {
+  const size = Math.max(...half);
+  return {
+    ...distanceField(half, field),
+    spread(x, y, z, radius, out) {
+      field.evaluate(x, y, z, out);
+      const value = out[0]!;
+      const most = radius + ROUNDING * (Math.abs(x) + Math.abs(y) + Math.abs(z) + radius + size);
+      out[0] = value - radius;
+      out[4] = most;
+      out[5] = value - most;
+      out[6] = value + most;
     },
   };
 }

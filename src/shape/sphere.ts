@@ -1,5 +1,5 @@
 /** Sphere about the origin: f = r − |p|, the distance. At the centre the gradient is zero. */
-import { distanceField, requireSize, type ShapeKind } from './shape.ts';
+import { convexField, requireSize, type ShapeKind } from './shape.ts';
 
 export interface Sphere {
   readonly type: 'sphere';
@@ -20,7 +20,7 @@ export const sphere: ShapeKind<Sphere> = {
   numbers: ({ radius }) => [radius],
   bind({ radius }) {
     requireSize(radius, 'radius');
-    return distanceField([radius, radius, radius], {
+    return convexField([radius, radius, radius], {
       value: (x, y, z) => radius - Math.sqrt(x * x + y * y + z * z),
       evaluate(x, y, z, out) {
         const distance = Math.sqrt(x * x + y * y + z * z);

@@ -8,7 +8,7 @@ import { pow } from '../math/pow.ts';
 import { checkedParams, checkNumbers, checkPlaces, reach, whole } from './binding.ts';
 import type { FieldValue, Skeleton, SkelField } from './skeleton.ts';
 import type { PointSkel } from './skels.ts';
-import { Spreader } from './spread.ts';
+import { farOf, Spreader } from './spread.ts';
 
 export const point: Skeleton<PointSkel> = { name: 'point', bind };
 
@@ -32,14 +32,19 @@ function bind({ at, weight }: PointSkel, kernel: Kernel, params: KernelParams): 
     sign: Math.sign(factor),
     evenness: 1,
   } as const;
-  const spreader = new Spreader(kernel, exponent, extent, per);
   const squared = (x: number, y: number, z: number): number => {
     const dx = (x - ax) * per;
     const dy = (y - ay) * per;
     const dz = (z - az) * per;
     return Math.max(dx * dx + dy * dy + dz * dz, least);
   };
+  const spreader = new Spreader(kernel, exponent, extent, per, (x, y, z, _, sight) => {
+    sight.distance = Math.sqrt(squared(x, y, z));
+    sight.isClear = true;
+    sight.slack = 0;
+  });
   const field: SkelField = {
+    far: farOf(kernel),
     box: { min: at, max: at },
     offset: (threshold) => (weight === 0 ? 0 : unit * reach((r2) => spreader.most(r2), threshold, support)),
     value: (x, y, z) => factor * kernel.value(squared(x, y, z), exponent),
@@ -52,9 +57,9 @@ function bind({ at, weight }: PointSkel, kernel: Kernel, params: KernelParams): 
       out[3] = out[3]! + steep * (z - az);
     },
     spread(x, y, z, radius, scale, out) {
-      const distance = Math.sqrt(squared(x, y, z));
-      spreader.add(field, x, y, z, radius, scale, out, distance, true, 0);
+      spreader.add(field, x, y, z, radius, scale, out);
     },
+    missed: (x, y, z, radius) => spreader.missed(x, y, z, radius),
   };
   return field;
 }

@@ -15,12 +15,14 @@ import { plateDistance } from './plateDistance.ts';
 import { type Region, regionOf } from './region.ts';
 import { FieldError, type FieldValue, type Skeleton, type SkelField } from './skeleton.ts';
 import type { PolygonSkel } from './skels.ts';
-import { Spreader } from './spread.ts';
+import { farOf, Spreader } from './spread.ts';
 
 export const polygon: Skeleton<PolygonSkel> = { name: 'polygon', bind };
 
 /** kernel units; farther away nothing is left but what sums over edges do not cancel, and their squares overflow */
 const FARTHEST = 1e30;
+/** so much farther than rounding leaves doubt */
+const OVER = 1.0001;
 /**
  * What sums over edges leave, in parts of the largest field at the point's height: panels are good to 1e-12 of it; singular
  * kernels, whose largest is large, have none that are worse than 1e-14.
@@ -53,7 +55,6 @@ function bind(skel: PolygonSkel, kernel: Kernel, params: KernelParams): SkelFiel
   const beyond = region.radius * per + Math.min(support, FARTHEST);
   // value and gradient in the frame of the plane, kernel units
   const sum = new Float64Array(4);
-  const spreader = new Spreader(kernel, frame.exponent, extent, per);
   const least = Math.sqrt(frame.floor2);
   const residue = least > 0 ? RESIDUE.singular : RESIDUE.wide;
 
@@ -85,7 +86,26 @@ function bind(skel: PolygonSkel, kernel: Kernel, params: KernelParams): SkelFiel
     }
   };
 
+  const spreader = new Spreader(kernel, frame.exponent, extent, per, (x, y, z, radius, sight) => {
+    const vx = (x - middle[0]) * per;
+    const vy = (y - middle[1]) * per;
+    const vz = (z - middle[2]) * per;
+    const qx = vx * u[0] + vy * u[1] + vz * u[2];
+    const qy = vx * v[0] + vy * v[1] + vz * v[2];
+    const height = Math.abs(vx * n[0] + vy * n[1] + vz * n[2]);
+    const low = Math.max(height - radius * per, 0);
+    const far = Math.sqrt(vx * vx + vy * vy + vz * vz) - radius * per;
+    // beyond the circle nothing at all is left
+    const isBeyond = far > OVER * beyond || low > OVER * support;
+    const across = isBeyond
+      ? Math.max(Math.sqrt(qx * qx + qy * qy) - region.radius * per, 0)
+      : plateDistance(edges, qx, qy);
+    sight.distance = Math.sqrt(across * across + height * height);
+    sight.isClear = least === 0 || low > least;
+    sight.slack = isBeyond ? 0 : residue * spreader.most(low * low);
+  });
   const field: SkelField = {
+    far: farOf(kernel),
     box: boxOf(cornersOf(region)),
     offset: (threshold) => (factor === 0 ? 0 : unit * reach((r2) => spreader.most(r2), threshold, support)),
     value(x, y, z) {
@@ -102,24 +122,9 @@ function bind(skel: PolygonSkel, kernel: Kernel, params: KernelParams): SkelFiel
       }
     },
     spread(x, y, z, radius, scale, out) {
-      const vx = (x - middle[0]) * per;
-      const vy = (y - middle[1]) * per;
-      const vz = (z - middle[2]) * per;
-      const by = radius * per;
-      const away = Math.sqrt(vx * vx + vy * vy + vz * vz);
-      const height = Math.abs(vx * n[0] + vy * n[1] + vz * n[2]);
-      if (away - by > 1.0001 * beyond || height - by > 1.0001 * support) return;
-      const across = plateDistance(
-        edges,
-        vx * u[0] + vy * u[1] + vz * u[2],
-        vx * v[0] + vy * v[1] + vz * v[2],
-      );
-      const distance = Math.sqrt(across * across + height * height);
-      const low = Math.max(height - by, 0);
-      const slack = residue * spreader.most(low * low);
-      const isClear = least === 0 || low > least;
-      spreader.add(field, x, y, z, radius, scale, out, distance, isClear, slack);
+      spreader.add(field, x, y, z, radius, scale, out);
     },
+    missed: (x, y, z, radius) => spreader.missed(x, y, z, radius),
   };
   return field;
 }

@@ -5,10 +5,11 @@
  * d² − h² never, because it loses all digits beyond an end. A segment of no length has no field (an integral over nothing);
  * a lump is a point skel.
  */
-import { type Kernel, type KernelParams, type LineField, LineFrame } from '../kernel/kernel.ts';
+import { type Kernel, type KernelParams, LineFrame } from '../kernel/kernel.ts';
 import type { Vec3 } from '../math/vec.ts';
 import { checkedParams, checkNumbers, checkPlaces, reach, SHORTEST, whole } from './binding.ts';
 import { boxOf } from './boxOf.ts';
+import { segmentSpreader } from './segmentSpread.ts';
 import {
   type Box,
   FieldError,
@@ -18,8 +19,7 @@ import {
   type Spread,
 } from './skeleton.ts';
 import type { SegmentSkel } from './skels.ts';
-import { Spreader } from './spread.ts';
-import { weightRange } from './weightRange.ts';
+import { farOf, type Spreader } from './spread.ts';
 
 export const segment: Skeleton<SegmentSkel> = { name: 'segment', bind };
 
@@ -33,10 +33,13 @@ function bind({ a, b, weights }: SegmentSkel, kernel: Kernel, params: KernelPara
   const [dx, dy, dz] = [b[0] - a[0], b[1] - a[1], b[2] - a[2]];
   const mm = lengthOf(dx, dy, dz);
   const box = boxOf([a, b]);
-  if (mm < SHORTEST) return { box, offset: () => 0, value: () => 0, add: () => {}, spread: () => {} };
+  if (mm < SHORTEST) return { box, offset: () => 0, ...NOTHING };
   const field = new SegmentField(box, [a, b], mm, weights, kernel, checked);
   return field.quick() ?? field;
 }
+
+/** of a segment of no length */
+const NOTHING = { value: () => 0, add: () => {}, spread: () => {}, missed: () => 0, far: 'nothing' } as const;
 
 /** What a kernel leaves, and the perpendicular from the line to the point: made once, filled again for each evaluation. */
 const integral = new Float64Array(3);
@@ -48,6 +51,7 @@ const perp = new Float64Array(3);
  */
 class SegmentField implements SkelField {
   readonly box: Box;
+  readonly far: SkelField['far'];
   readonly #kernel: Kernel;
   readonly #line: Kernel['line'];
   readonly #frame = new LineFrame();
@@ -70,6 +74,7 @@ class SegmentField implements SkelField {
     params: KernelParams,
   ) {
     this.box = box;
+    this.far = farOf(kernel);
     this.#kernel = kernel;
     this.#line = kernel.line;
     this.#unit = kernel.unit(params, mm);
@@ -87,8 +92,7 @@ class SegmentField implements SkelField {
       frame.weights[k] = weight * whole(this.#unit, k + 1 + kernel.homogeneity);
       if (weight !== 0) frame.degree = k;
     });
-    const extent = { dimension: 1, size: frame.length, turns: 1, ...weightRange(frame) } as const;
-    this.#spreader = new Spreader(kernel, frame.exponent, extent, this.#per);
+    this.#spreader = segmentSpreader(kernel, frame, this.#a, this.#u, this.#per);
   }
 
   /** This field by what the kernel has for linear weights, if anything. */
@@ -100,9 +104,11 @@ class SegmentField implements SkelField {
     if (!quick) return null;
     return Object.assign(quick, {
       box: this.box,
+      far: this.far,
+      missed: (x: number, y: number, z: number, radius: number) => this.missed(x, y, z, radius),
       offset: (threshold: number) => this.offset(threshold),
       spread: (x: number, y: number, z: number, radius: number, factor: number, out: Spread) =>
-        this.#spread(quick, x, y, z, radius, factor, out),
+        this.#spreader.add(quick, x, y, z, radius, factor, out),
     });
   }
 
@@ -112,8 +118,12 @@ class SegmentField implements SkelField {
     return spreader.most(0) === 0 ? 0 : this.#unit * reached();
   }
 
+  missed(x: number, y: number, z: number, radius: number): number {
+    return this.#spreader.missed(x, y, z, radius);
+  }
+
   spread(x: number, y: number, z: number, radius: number, factor: number, out: Spread): void {
-    this.#spread(this, x, y, z, radius, factor, out);
+    this.#spreader.add(this, x, y, z, radius, factor, out);
   }
 
   value(x: number, y: number, z: number): number {
@@ -137,24 +147,6 @@ class SegmentField implements SkelField {
     out[1] = out[1]! + across * perp[0]! + along * u[0]!;
     out[2] = out[2]! + across * perp[1]! + along * u[1]!;
     out[3] = out[3]! + across * perp[2]! + along * u[2]!;
-  }
-
-  /** The spread of `field`, which is this one or its quick form. */
-  #spread(
-    field: LineField,
-    x: number,
-    y: number,
-    z: number,
-    radius: number,
-    factor: number,
-    out: Spread,
-  ): void {
-    this.#see(x, y, z);
-    const { alpha, beta, rho2, floor2 } = this.#frame;
-    const beyond = alpha > 0 ? alpha : beta < 0 ? beta : 0;
-    const distance = Math.sqrt(rho2 + beyond * beyond);
-    const isClear = floor2 === 0 || Math.sqrt(rho2) - radius * this.#per > 2 * Math.sqrt(floor2);
-    this.#spreader.add(field, x, y, z, radius, factor, out, distance, isClear, 0);
   }
 
   /** Fills the frame and the perpendicular; false where the point is beyond the support. */

@@ -28,6 +28,10 @@ export interface SkelField {
   add(x: number, y: number, z: number, factor: number, out: FieldValue): void;
   /** Adds `factor` times the spread within `radius` mm; exactly nothing beyond a support. */
   spread(x: number, y: number, z: number, radius: number, factor: number, out: Spread): void;
+  /** what may stand for the field from afar: its Taylor polynomial of the second degree, or nothing */
+  readonly far: 'quadratic' | 'nothing';
+  /** A bound on what that misses within `radius` mm, without an evaluation; Infinity where none is known, 0 beyond a support. */
+  missed(x: number, y: number, z: number, radius: number): number;
   /** of the skel itself, without its field */
   readonly box: Box;
   /** mm from the skel beyond which |value| < `threshold`; 0 when it is nowhere larger (FIELD-NOTES §1, Z(17)–(19) corrected) */

@@ -42,6 +42,23 @@ export interface Extent {
   readonly evenness: number;
 }
 
+/** A skel seen from the centre of a ball; kernel units. Mutable: filled again for each ball. */
+export class Sight {
+  /** of the skel, not more than it is */
+  distance = 0.5;
+  /** whether the whole ball is where singular kernels are not clamped: off the line of a segment, off the plane of a plate */
+  isClear = true;
+  /** of values: what sums over edges leave of the field elsewhere */
+  slack = 0.5;
+}
+
+/** What stands for skels of a kernel from afar. */
+export const farOf = ({ change }: Kernel) => (change.type === 'relative' ? 'quadratic' : 'nothing');
+
+/** What each kind of skel brings: fills the sight of it from the ball about (x, y, z), mm. */
+export type See = (x: number, y: number, z: number, radius: number, sight: Sight) => void;
+
+const sight = new Sight();
 const step = new Step();
 const centre = new Float64Array(4);
 /** [low, high, rest] of one skel */
@@ -54,8 +71,10 @@ export class Spreader {
   /** kernel units of a millimetre */
   readonly #per: number;
   readonly #least: number;
+  readonly #see: See;
 
-  constructor(kernel: Kernel, exponent: number, extent: Extent, per: number) {
+  constructor(kernel: Kernel, exponent: number, extent: Extent, per: number, see: See) {
+    this.#see = see;
     this.#kernel = kernel;
     this.#exponent = exponent;
     this.#extent = extent;
@@ -73,38 +92,46 @@ export class Spreader {
     return most * this.#kernel.value(Math.max(r2, this.#least * this.#least), n);
   }
 
-  /**
-   * Adds `factor` times the spread of `field` within `radius` mm. `distance` (kernel units) is the skel's from the centre;
-   * `isClear`: nowhere is a line or a plane so near that it is clamped; `slack`: what sums over edges leave of the field elsewhere.
-   */
-  add(
-    field: Adding,
-    x: number,
-    y: number,
-    z: number,
-    radius: number,
-    factor: number,
-    out: Spread,
-    distance: number,
-    isClear: boolean,
-    slack: number,
-  ): void {
-    const { change, support } = this.#kernel;
+  /** Adds `factor` times the spread of `field` within `radius` mm. */
+  add(field: Adding, x: number, y: number, z: number, radius: number, factor: number, out: Spread): void {
+    if (this.#isNothing(x, y, z, radius)) return;
+    for (let i = 0; i < 4; i++) centre[i] = 0;
+    field.add(x, y, z, 1, centre);
+    const { change } = this.#kernel;
+    if (change.type === 'relative') this.#relative(change);
+    else this.#absolute(change);
+    write(out, factor);
+  }
+
+  /** What `missed` of SkelField says. */
+  missed(x: number, y: number, z: number, radius: number): number {
+    if (this.#isNothing(x, y, z, radius)) return 0;
+    const { change } = this.#kernel;
+    const { near } = step;
+    if (change.type === 'absolute') {
+      return (near < this.#kernel.support ? this.most(near * near) : 0) * (1 + MARGIN) + sight.slack;
+    }
+    if (!sight.isClear || near < this.#least) return Infinity;
+    const whole = this.most(step.r * step.r) * (1 + MARGIN);
+    change.cubic(step);
+    return whole * step.bend + sight.slack;
+  }
+
+  /** Sees to the step and the sight; whether the ball is beyond the support. */
+  #isNothing(x: number, y: number, z: number, radius: number): boolean {
+    this.#see(x, y, z, radius, sight);
+    const { distance, slack } = sight;
     const by = radius * this.#per * (1 + ROUNDING);
     const near = Math.max(distance - by - ROUNDING * (distance + by), 0);
-    if (this.#extent.most === 0 || (near >= support && slack === 0)) return;
     step.r = Math.max(distance * (1 - ROUNDING), this.#least);
     step.by = by;
     step.near = near;
     step.exponent = this.#exponent;
-    centre.fill(0);
-    field.add(x, y, z, 1, centre);
-    if (change.type === 'relative') this.#relative(change, isClear, slack);
-    else this.#absolute(change, slack);
-    write(out, factor);
+    return this.#extent.most === 0 || (near >= this.#kernel.support && slack === 0);
   }
 
-  #relative(change: RelativeChange, isClear: boolean, slack: number): void {
+  #relative(change: RelativeChange): void {
+    const { isClear, slack } = sight;
     const { sign, dimension, evenness } = this.#extent;
     const value = centre[0]!;
     change.factors(step);
@@ -131,10 +158,10 @@ export class Spreader {
       const isBeyond = dimension === 1 && near > this.#least;
       range[2] = isBeyond ? range[2]! + (CLAMPED * cap * this.#least) / near : Infinity;
     }
-    this.#cut(cap, slack);
+    this.#cut(cap);
   }
 
-  #absolute(change: AbsoluteChange, slack: number): void {
+  #absolute(change: AbsoluteChange): void {
     const { dimension, size, turns, most, sign } = this.#extent;
     change.slopes(step, 0);
     let { slope, bend } = step;
@@ -149,13 +176,13 @@ export class Spreader {
     range[1] = centre[0]! + by * slope;
     range[2] = 0.5 * by * step.by * bend;
     const { near } = step;
-    this.#cut(near < this.#kernel.support ? this.most(near * near) : 0, slack);
+    this.#cut(near < this.#kernel.support ? this.most(near * near) : 0);
   }
 
   /** No more than the skel can have, and the margins. */
-  #cut(cap: number, slack: number): void {
+  #cut(cap: number): void {
     const { sign } = this.#extent;
-    const margin = MARGIN * cap + slack + LEAST;
+    const margin = MARGIN * cap + sight.slack + LEAST;
     range[0] = Math.max(range[0]!, sign > 0 ? 0 : -cap) - margin;
     range[1] = Math.min(range[1]!, sign < 0 ? 0 : cap) + margin;
     range[2] = range[2]! + margin;

@@ -171,6 +171,8 @@ describeGpu(`cross sections in WGSL are their twins (${COUNT} points, seed ${SEE
         });
       },
       spread: () => {},
+      far: 'nothing',
+      missed: () => Infinity,
       offset: () => 0,
     };
     const field = bindWarped(

@@ -46,12 +46,24 @@ function* within([x, y, z]: Vec3, half: number, count: number, next: () => numbe
 const bound = (skel: Skel, { kernel, params }: Variant) => bindSkel(skel, kernel, params);
 const ofKind = (kind: Skel['type']) => everySpecimen.filter(({ type }) => type === kind);
 
-/** In words, what the interval does not hold. */
+/** In words, what the interval or the centred form does not hold. */
 function escaped(field: SkelField, p: Vec3, half: number, factor: number, next: () => number): string[] {
   const [low, high] = rangeOf(field, p, half, factor);
+  const [middle, gx, gy, gz, rest] = [0, 1, 2, 3, 4].map((i) => spread[i]!) as [
+    number,
+    number,
+    number,
+    number,
+    number,
+  ];
   return [...within(p, half, 8, next)].flatMap((q) => {
     const value = factor * field.value(...q);
-    return value >= low && value <= high ? [] : [`${value} not in ${low}…${high}, ${half} about ${p}`];
+    const away = [gx * (q[0] - p[0]), gy * (q[1] - p[1]), gz * (q[2] - p[2])] as const;
+    const rounding = 1e-15 * (Math.abs(middle) + Math.abs(away[0]) + Math.abs(away[1]) + Math.abs(away[2]));
+    const miss = Math.abs(value - (middle + away[0] + away[1] + away[2])) - rounding;
+    const place = `${half} about ${p}`;
+    if (miss > rest) return [`${value} is ${miss / rest} of the rest away, ${place}`];
+    return value >= low && value <= high ? [] : [`${value} not in ${low}…${high}, ${place}`];
   });
 }
 
