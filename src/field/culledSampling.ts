@@ -1,17 +1,22 @@
 /**
  * Lattice values where the surface may be; elsewhere the sign alone. A tree of cubes over the lattice: where the field's interval over a
  * cube (TreeField.range) does not hold 0, all nodes of the cube are inside or all are outside, and nobody needs their values. The others are
- * halved, down to bricks of four cells, whose nodes are evaluated, each once. What is culled is proven, so the mesh is that of all values.
+ * halved, down to bricks of four cells, whose nodes are evaluated, each once, by the skels that are near (nearSum.ts). What is culled is
+ * proven, and what is neglected bounded, so that every sign is right: the mesh is that of all values.
  *
  * The field of millions of nodes is thus taken at some n² of them. Which bricks may hold surface is a list that later stages can
  * walk too; for now the lattice itself is still dense, one number a node.
  */
 import type { Lattice } from './lattice.ts';
 import { nodeCount } from './lattice.ts';
+import { type Near, nearOf } from './near.ts';
 import type { TreeField } from './treeField.ts';
 
 /** cells of a brick along each side: two cost more intervals than they save values, eight more values */
 const BRICK = 4;
+
+/** of T: what a brick may neglect of its far skels; nodes with a smaller value are asked again, of all */
+const NEGLECTED = 3e-3;
 
 /** Yields after each brick of the first level what share of them is done. */
 export function* culledSampling(field: TreeField, lattice: Lattice): Generator<number, Float64Array> {
@@ -21,10 +26,11 @@ export function* culledSampling(field: TreeField, lattice: Lattice): Generator<n
   while (size < Math.max(nx, ny, nz) - 1) size *= 2;
   const culling = new Culling(field, lattice, values);
   const top = Math.max(size / 8, BRICK);
+  const whole = nearOf(field);
   const layers = Math.ceil((nz - 1) / top);
   for (let k = 0; k < layers; k++) {
     for (let j = 0; j * top < ny - 1; j++) {
-      for (let i = 0; i * top < nx - 1; i++) culling.visit(i * top, j * top, k * top, top);
+      for (let i = 0; i * top < nx - 1; i++) culling.visit(whole, i * top, j * top, k * top, top);
     }
     yield (k + 1) / layers;
   }
@@ -35,7 +41,6 @@ class Culling {
   readonly #field: TreeField;
   readonly #lattice: Lattice;
   readonly #values: Float64Array;
-  readonly #range = new Float64Array(2);
 
   constructor(field: TreeField, lattice: Lattice, values: Float64Array) {
     this.#field = field;
@@ -43,12 +48,13 @@ class Culling {
     this.#values = values;
   }
 
-  /** The cube of `size` cells from node (i, j, k) on. */
-  visit(i: number, j: number, k: number, size: number): void {
+  /** The cube of `size` cells from node (i, j, k) on, within the cube that `outer` is of. */
+  visit(outer: Near, i: number, j: number, k: number, size: number): void {
     const [nx, ny, nz] = this.#lattice.counts;
     if (i >= nx - 1 || j >= ny - 1 || k >= nz - 1) return;
-    const sign = this.#signIn(i, j, k, size);
-    if (sign !== 0) {
+    const near = this.#within(outer, i, j, k, size);
+    if (near.low > 0 || near.high <= 0) {
+      const sign = near.low > 0 ? 1 : -1;
       this.#each(i, j, k, size, (at) => {
         // where a neighbour was evaluated its value stands
         if (Number.isNaN(this.#values[at])) this.#values[at] = sign;
@@ -56,42 +62,37 @@ class Culling {
       return;
     }
     if (size === BRICK) {
-      this.#evaluate(i, j, k);
+      this.#evaluate(near, i, j, k);
       return;
     }
     const half = size / 2;
     for (let corner = 0; corner < 8; corner++) {
       const [x, y, z] = [i + (corner & 1) * half, j + ((corner >> 1) & 1) * half, k + (corner >> 2) * half];
-      this.visit(x, y, z, half);
+      this.visit(near, x, y, z, half);
     }
   }
 
-  /** 1 where all of the cube is inside, −1 where all is outside, 0 where that is not known. */
-  #signIn(i: number, j: number, k: number, size: number): number {
+  #within(outer: Near, i: number, j: number, k: number, size: number): Near {
     const { origin, step } = this.#lattice;
     const half = 0.5 * size * step;
-    const range = this.#range;
     // a little more: the nodes' own coordinates are rounded
     const grown =
       half * (1 + 1e-12) + 1e-15 * (Math.abs(origin[0]) + Math.abs(origin[1]) + Math.abs(origin[2]));
-    this.#field.range(
-      origin[0] + i * step + half,
-      origin[1] + j * step + half,
-      origin[2] + k * step + half,
-      grown,
-      range,
-    );
-    if (range[0]! > 0) return 1;
-    return range[1]! <= 0 ? -1 : 0;
+    const [x, y, z] = [origin[0] + i * step + half, origin[1] + j * step + half, origin[2] + k * step + half];
+    // what is neglected above is neglected in all cubes below: half as much a level
+    return outer.within(x, y, z, grown, (NEGLECTED * BRICK) / size);
   }
 
-  #evaluate(i: number, j: number, k: number): void {
+  #evaluate(near: Near, i: number, j: number, k: number): void {
     const { origin, step } = this.#lattice;
-    this.#each(i, j, k, BRICK, (at, x, y, z) => {
+    const doubtful = near.error * (1 + 1e-9);
+    this.#each(i, j, k, BRICK, (at, nx, ny, nz) => {
       const known = this.#values[at]!;
       // signs that culled neighbours left are right, but vertices want values
       if (!Number.isNaN(known) && Math.abs(known) !== 1) return;
-      this.#values[at] = this.#field.value(origin[0] + x * step, origin[1] + y * step, origin[2] + z * step);
+      const [x, y, z] = [origin[0] + nx * step, origin[1] + ny * step, origin[2] + nz * step];
+      const value = near.value(x, y, z);
+      this.#values[at] = Math.abs(value) > doubtful ? value : this.#field.value(x, y, z);
     });
   }
 

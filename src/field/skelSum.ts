@@ -12,6 +12,8 @@ import {
 } from '../skeleton/skeleton.ts';
 import { grown, unite } from './boxes.ts';
 import { AROUND, closed } from './closed.ts';
+import type { Near } from './near.ts';
+import { NearSum } from './nearSum.ts';
 import type { Colour } from './node.ts';
 import type { LeafField } from './treeField.ts';
 
@@ -101,6 +103,10 @@ class SkelSum implements LeafField {
   range(x: number, y: number, z: number, half: number, out: Float64Array): void {
     this.spread(x, y, z, AROUND * half, this.#spread);
     closed(this.#spread, half, out);
+  }
+
+  near(): Near {
+    return new NearSum(this.#terms, this.#threshold);
   }
 
   /** Beyond every skel's own box its term is below its even share of T + level. */

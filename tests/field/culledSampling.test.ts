@@ -5,6 +5,7 @@ import { culledSampling } from '../../src/field/culledSampling.ts';
 import { fitting } from '../../src/field/fitBox.ts';
 import { latticeAround, nodeCount, sampling } from '../../src/field/lattice.ts';
 import { meshing } from '../../src/field/latticeMesh.ts';
+import { type Near, nearOf } from '../../src/field/near.ts';
 import type { FieldNode } from '../../src/field/node.ts';
 import { polygonize } from '../../src/field/polygonize.ts';
 import type { TreeField } from '../../src/field/treeField.ts';
@@ -22,20 +23,35 @@ function finished<T>(steps: Generator<number, T>): T {
   }
 }
 
-/** Counts values and ranges. */
-function counted(field: TreeField): TreeField & { values: number; ranges: number } {
-  const counts = { values: 0, ranges: 0 };
-  return Object.assign(Object.create(field) as TreeField, counts, {
-    value(this: typeof counts, x: number, y: number, z: number) {
-      this.values++;
+/** What is asked of skels: values, and spreads, which say where they matter. */
+interface Asked {
+  values: number;
+  spreads: number;
+}
+
+/** The field with its questions counted; where it has no near lists, each is one. */
+function counted(field: TreeField, asked: Asked): TreeField {
+  const count = (near: Near): Near => ({
+    low: near.low,
+    high: near.high,
+    error: near.error,
+    asked: near.asked,
+    value(x, y, z) {
+      asked.values += near.asked;
+      return near.value(x, y, z);
+    },
+    within(...cube) {
+      asked.spreads += near.asked;
+      return count(near.within(...cube));
+    },
+  });
+  const own = count(nearOf(field));
+  return Object.assign(Object.create(field) as TreeField, {
+    near: () => own,
+    value(x: number, y: number, z: number) {
+      asked.values += own.asked;
       return field.value(x, y, z);
     },
-    range(this: typeof counts, x: number, y: number, z: number, half: number, out: Float64Array) {
-      this.ranges++;
-      field.range(x, y, z, half, out);
-    },
-    evaluate: (x: number, y: number, z: number, out: Float64Array) => field.evaluate(x, y, z, out),
-    colour: (x: number, y: number, z: number, out: Float64Array) => field.colour(x, y, z, out),
   });
 }
 
@@ -54,37 +70,60 @@ function chain(count: number, seed: number): FieldNode {
 }
 
 describe('culled lattices', () => {
-  test('leave the mesh of all values, bit for bit (25 trees, seed 71)', () => {
+  test('have the signs of all values, and their mesh (25 trees, seed 71)', () => {
     const lot = new Lot(71);
     let surfaces = 0;
     for (let i = 0; i < 25; i++) {
       const field = bindField(randomTree(lot, 2));
       const lattice = latticeAround({ min: [-6, -6, -6], max: [6, 6, 6] }, 20);
-      const all = finished(meshing(field, lattice, finished(sampling(field, lattice))));
-      const few = finished(meshing(field, lattice, finished(culledSampling(field, lattice))));
-      expect(few.indices).toEqual(all.indices);
-      expect(few.positions).toEqual(all.positions);
-      expect(few.normals).toEqual(all.normals);
-      if (all.indices.length > 0) surfaces++;
+      const [every, few] = [finished(sampling(field, lattice)), finished(culledSampling(field, lattice))];
+      few.forEach((value, at) => {
+        if (value > 0 !== every[at]! > 0)
+          throw new Error(`tree ${i}: ${value} for ${every[at]} at node ${at}`);
+      });
+      const [wanted, got] = [every, few].map((values) => finished(meshing(field, lattice, values)));
+      expect(got!.indices).toEqual(wanted!.indices);
+      const apart = got!.positions.map((x, at) => Math.abs(x - wanted!.positions[at]!));
+      expect(apart.reduce((most, x) => Math.max(most, x), 0)).toBeLessThan(2e-3 * lattice.step);
+      if (wanted!.indices.length > 0) surfaces++;
     }
     expect(surfaces).toBeGreaterThan(12);
   });
 
-  test('take a share of the values that falls as lattices become finer (seed 72)', () => {
+  test('ask ever fewer skels a node as lattices become finer (seed 72)', () => {
+    const field = bindField(chain(48, 72));
+    const box = finished(fitting(field, field.box!))!;
     const shares = [32, 64, 128].map((resolution) => {
-      const field = counted(bindField(chain(24, 72)));
-      const box = finished(fitting(field, field.box!))!;
-      field.values = 0;
-      field.ranges = 0;
+      const asked = { values: 0, spreads: 0 };
       const lattice = latticeAround(box, resolution);
-      finished(culledSampling(field, lattice));
-      return (field.values + 3 * field.ranges) / nodeCount(lattice);
+      finished(culledSampling(counted(field, asked), lattice));
+      return (asked.values + 2 * asked.spreads) / (48 * nodeCount(lattice));
     });
-    console.info(
-      `values and three times the ranges, of all nodes: ${shares.map((x) => x.toFixed(3)).join(', ')}`,
-    );
-    expect(shares[2]).toBeLessThan(0.15);
-    expect(shares[1]! / shares[2]!).toBeGreaterThan(1.6);
+    console.info(`asked, of all skels at all nodes: ${shares.map((x) => x.toFixed(4)).join(', ')}`);
+    expect(shares[2]).toBeLessThan(0.05);
+    expect(shares[1]! / shares[2]!).toBeGreaterThan(2);
+  });
+
+  test('neglect no more than they say (8 bodies, seed 75)', () => {
+    const next = random(75);
+    const within = (half: number) => half * (2 * next() - 1);
+    for (let i = 0; i < 8; i++) {
+      const field = bindField(chain(40, 76 + i));
+      let near = nearOf(field);
+      let [x, y, z] = [within(10), within(10), within(10)];
+      for (let half = 16; half > 0.2; half /= 2) {
+        near = near.within(x, y, z, half, (0.01 * 0.25) / half);
+        for (let k = 0; k < 60; k++) {
+          const p = [x + within(half), y + within(half), z + within(half)] as const;
+          const exact = field.value(...p);
+          expect(Math.abs(near.value(...p) - exact)).toBeLessThanOrEqual(near.error + 1e-12);
+          expect(exact).toBeGreaterThanOrEqual(near.low);
+          expect(exact).toBeLessThanOrEqual(near.high);
+        }
+        [x, y, z] = [x + within(half / 2), y + within(half / 2), z + within(half / 2)];
+      }
+      expect(near.asked).toBeLessThan(40);
+    }
   });
 });
 
