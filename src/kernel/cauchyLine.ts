@@ -50,22 +50,22 @@ class Place {
 const at = new Place();
 
 class CauchyLine implements LineField {
-  private readonly a: Float64Array;
-  private readonly u: Float64Array;
-  private readonly per: number;
-  private readonly length: number;
-  private readonly far: number;
-  private readonly w0: number;
-  private readonly w1: number;
+  readonly #a: Float64Array;
+  readonly #u: Float64Array;
+  readonly #per: number;
+  readonly #length: number;
+  readonly #far: number;
+  readonly #w0: number;
+  readonly #w1: number;
 
   constructor({ a, u, per, length, w0, w1 }: LinearLine) {
-    this.a = Float64Array.from(a);
-    this.u = Float64Array.from(u);
-    this.per = per;
-    this.length = length;
-    this.far = FAR * length * length * length * length;
-    this.w0 = w0;
-    this.w1 = w1;
+    this.#a = Float64Array.from(a);
+    this.#u = Float64Array.from(u);
+    this.#per = per;
+    this.#length = length;
+    this.#far = FAR * length * length * length * length;
+    this.#w0 = w0;
+    this.#w1 = w1;
   }
 
   value(x: number, y: number, z: number): number {
@@ -74,20 +74,23 @@ class CauchyLine implements LineField {
       this.#sample();
       return at.value;
     }
-    const { length, w1 } = this;
+    const length = this.#length;
+    const w1 = this.#w1;
     const { t } = at;
     const one = length * (0.5 * length - t) * at.ends;
-    const foot = this.w0 + w1 * t;
+    const foot = this.#w0 + w1 * t;
     return foot * at.two + w1 * one;
   }
 
   add(x: number, y: number, z: number, factor: number, out: Float64Array): void {
     this.#see(x, y, z);
-    const { u } = this;
+    const u = this.#u;
     if (this.#isFar(true)) this.#sample();
     else {
       // in here, not in a method: engines inline but so much, and the arc tangent comes last
-      const { length, w0, w1 } = this;
+      const length = this.#length;
+      const w0 = this.#w0;
+      const w1 = this.#w1;
       const { t, m2, ends, two } = at;
       const rest = length - t;
       const one = length * (0.5 * length - t) * ends;
@@ -103,7 +106,7 @@ class CauchyLine implements LineField {
       at.along = (w0 * b2 - (w0 + w1 * length) * a2) * ends2 + w1 * two;
     }
     const { across } = at;
-    const steep = factor * this.per;
+    const steep = factor * this.#per;
     // what of the perpendicular is along the line has no place in it
     const along = at.along - across * (at.x * u[0]! + at.y * u[1]! + at.z * u[2]!);
     out[0] = out[0]! + factor * at.value;
@@ -113,7 +116,9 @@ class CauchyLine implements LineField {
   }
 
   #see(x: number, y: number, z: number): void {
-    const { a, u, per } = this;
+    const a = this.#a;
+    const u = this.#u;
+    const per = this.#per;
     const ux = u[0]!;
     const uy = u[1]!;
     const uz = u[2]!;
@@ -133,7 +138,7 @@ class CauchyLine implements LineField {
 
   /** Whether the line is far; if not, the integrals are seen to. */
   #isFar(slopes: boolean): boolean {
-    const { length } = this;
+    const length = this.#length;
     const { t, m2 } = at;
     const m = Math.sqrt(m2);
     const product = t * (t - length);
@@ -141,7 +146,7 @@ class CauchyLine implements LineField {
     const x = m2 + product;
     const y = length * m;
     const square = x * x + y * y;
-    if (square > this.far) return true;
+    if (square > this.#far) return true;
     const theta = fastAtan2(y, x);
     const per = 1 / m2;
     const ends = 1 / square;
@@ -155,7 +160,7 @@ class CauchyLine implements LineField {
 
   /** Value and slopes from afar. */
   #sample(): void {
-    const half = 0.5 * this.length;
+    const half = 0.5 * this.#length;
     const { t, m2 } = at;
     let value = 0;
     let across = 0;
@@ -163,7 +168,7 @@ class CauchyLine implements LineField {
     for (let i = 0; i < 5; i++) {
       const from = half + half * NODES[i]!;
       const q = 1 / (m2 + (from - t) * (from - t));
-      const two = half * NODE_WEIGHTS[i]! * (this.w0 + this.w1 * from) * q * q;
+      const two = half * NODE_WEIGHTS[i]! * (this.#w0 + this.#w1 * from) * q * q;
       value += two;
       across -= 4 * two * q;
       along += 4 * (from - t) * two * q;
