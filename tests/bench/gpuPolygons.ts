@@ -9,11 +9,11 @@ import { bodyOf, leastOnGpu, pointsOf, valueOnly } from './gpuTiming.ts';
 import { slicesOf } from './slices.ts';
 import { rounded } from './timing.ts';
 import { trianglesOf } from './triangulated.ts';
-import { around, PAPER_GPU } from './zhu.ts';
+import { around, PAPER_GPU, rowOf } from './zhu.ts';
 
 export async function timePolygons(device: GPUDevice): Promise<void> {
   const rows = [];
-  for (const [title, [dit, cit, ci]] of Object.entries(PAPER_GPU)) {
+  for (const [title, seconds] of Object.entries(PAPER_GPU)) {
     const [kernelName, name] = title.split(' ') as [string, keyof typeof POLYGONS];
     const kernel = kernelNamed(kernelName)!;
     const skel = POLYGONS[name];
@@ -31,18 +31,9 @@ export async function timePolygons(device: GPUDevice): Promise<void> {
       ),
       dit: await valueOnly(device, bodyOf(kernel, slices.segments)),
     });
-    const micro = 1000 / grid.count;
     rows.push({
-      polygon: `${title}, ${skel.loops[0]!.length}`,
-      'CI, µs a point': rounded(least.ci * micro, 2),
-      CIT: rounded(least.cit * micro, 2),
-      DIT: rounded(least.dit * micro, 2),
-      'CIT / CI': rounded(least.cit / least.ci, 2),
-      'paper’s': rounded(cit / ci, 2),
-      'DIT / CI': rounded(least.dit / least.ci, 2),
-      'paper’s ': rounded(dit / ci, 2),
+      ...rowOf(title, skel, grid, least, seconds, slices.error),
       slices: slices.segments.length,
-      'error of DIT': slices.error.toExponential(0),
     });
   }
   console.log('Zhu et al. 2011, table 2');

@@ -18,11 +18,11 @@ import {
   type Timed,
 } from './timing.ts';
 import { doubleIntegrals, edgesOfTriangles, TOLERANCE } from './triangulated.ts';
-import { around, PAPER } from './zhu.ts';
+import { around, PAPER, rowOf } from './zhu.ts';
 
 mixCalls(Object.values(POLYGONS));
 
-const rows = Object.entries(PAPER).map(([title, [dit, cit, ci]]) => {
+const rows = Object.entries(PAPER).map(([title, seconds]) => {
   const [kernelName, name] = title.split(' ') as [string, keyof typeof POLYGONS];
   const kernel = kernelNamed(kernelName)!;
   const skel = POLYGONS[name];
@@ -37,18 +37,7 @@ const rows = Object.entries(PAPER).map(([title, [dit, cit, ci]]) => {
     cit: () => sumValues(edges, grid),
     ci: () => sumValues(own, grid),
   });
-  const micro = 1000 / grid.count;
-  return {
-    polygon: `${title}, ${skel.loops[0]!.length}`,
-    'CI, µs a point': rounded(least.ci * micro, 2),
-    CIT: rounded(least.cit * micro, 2),
-    DIT: rounded(least.dit * micro, 2),
-    'CIT / CI': rounded(least.cit / least.ci, 2),
-    'paper’s': rounded(cit / ci, 2),
-    'DIT / CI': rounded(least.dit / least.ci, 2),
-    'paper’s ': rounded(dit / ci, 2),
-    'error of DIT': miss.toExponential(0),
-  };
+  return rowOf(title, skel, grid, least, seconds, miss);
 });
 console.log('Zhu et al. 2011, table 2');
 console.table(rows);

@@ -1,7 +1,7 @@
 /** Zhu et al. 2011, table 2: its numbers, and the points at which polygons of ours are evaluated. */
 import { kernels } from '../../src/kernel/index.ts';
 import type { PolygonSkel } from '../../src/skeleton/skels.ts';
-import { bound, type Grid, gridOf } from './timing.ts';
+import { bound, type Grid, gridOf, rounded } from './timing.ts';
 
 /** Seconds on a CPU of 2009 for 128³ points: DIT, CIT, CI */
 export const PAPER = {
@@ -32,4 +32,27 @@ export function around(skel: PolygonSkel): Grid {
     },
     [24, 24, 12],
   );
+}
+
+/** A row of the table: `least` in milliseconds for all points of the grid. */
+export function rowOf(
+  title: string,
+  skel: PolygonSkel,
+  { count }: Grid,
+  least: Readonly<Record<'ci' | 'cit' | 'dit', number>>,
+  [dit, cit, ci]: readonly [number, number, number],
+  error: number,
+) {
+  const micro = 1000 / count;
+  return {
+    polygon: `${title}, ${skel.loops[0]!.length}`,
+    'CI, µs a point': rounded(least.ci * micro, 2),
+    CIT: rounded(least.cit * micro, 2),
+    DIT: rounded(least.dit * micro, 2),
+    'CIT / CI': rounded(least.cit / least.ci, 2),
+    'paper’s': rounded(cit / ci, 2),
+    'DIT / CI': rounded(least.dit / least.ci, 2),
+    'paper’s ': rounded(dit / ci, 2),
+    'error of DIT': error.toExponential(0),
+  };
 }
