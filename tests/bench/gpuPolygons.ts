@@ -7,7 +7,6 @@ import { kernelNamed } from '../../src/kernel/index.ts';
 import { POLYGONS } from '../fixtures/polygons.ts';
 import { bodyOf, leastOnGpu, pointsOf, valueOnly } from './gpuTiming.ts';
 import { slicesOf } from './slices.ts';
-import { rounded } from './timing.ts';
 import { trianglesOf } from './triangulated.ts';
 import { around, PAPER_GPU, rowOf } from './zhu.ts';
 
