@@ -41,11 +41,11 @@ export class Warped implements SkelField {
   readonly #spread = new Float64Array(SPREAD);
   readonly #move = new Float64Array(2);
   readonly box: Box;
-  readonly far: SkelField['far'];
+  readonly standIn: SkelField['standIn'];
 
   constructor(skel: SkelField, frame: Frame, section: Section, bx: number, by: number) {
     this.#skel = skel;
-    this.far = skel.far;
+    this.standIn = skel.standIn;
     this.#frame = frame;
     this.#section = section;
     this.#bx = bx;
@@ -96,7 +96,7 @@ export class Warped implements SkelField {
   /** The map keeps quadratics only where it is linear. */
   missed(x: number, y: number, z: number, radius: number): number {
     this.#see(x, y, z, radius);
-    if (!seen.isLinear && this.far === 'quadratic') return Infinity;
+    if (!seen.isLinear && this.standIn === 'quadratic') return Infinity;
     return this.#skel.missed(seen.x, seen.y, seen.z, seen.reach);
   }
 

@@ -15,7 +15,7 @@ import { plateDistance } from './plateDistance.ts';
 import { type Region, regionOf } from './region.ts';
 import { FieldError, type FieldValue, type Skeleton, type SkelField } from './skeleton.ts';
 import type { PolygonSkel } from './skels.ts';
-import { farOf, Spreader } from './spread.ts';
+import { Spreader, standInOf } from './spread.ts';
 
 export const polygon: Skeleton<PolygonSkel> = { name: 'polygon', bind };
 
@@ -105,7 +105,7 @@ function bind(skel: PolygonSkel, kernel: Kernel, params: KernelParams): SkelFiel
     sight.slack = isBeyond ? 0 : residue * spreader.most(low * low);
   });
   const field: SkelField = {
-    far: farOf(kernel),
+    standIn: standInOf(kernel),
     box: boxOf(cornersOf(region)),
     offset: (threshold) => (factor === 0 ? 0 : unit * reach((r2) => spreader.most(r2), threshold, support)),
     value(x, y, z) {

@@ -53,7 +53,7 @@ export class Sight {
 }
 
 /** What stands for skels of a kernel from afar. */
-export const farOf = ({ change }: Kernel) => (change.type === 'relative' ? 'quadratic' : 'nothing');
+export const standInOf = ({ change }: Kernel) => (change.type === 'relative' ? 'quadratic' : 'nothing');
 
 /** What each kind of skel brings: fills the sight of it from the ball about (x, y, z), mm. */
 export type See = (x: number, y: number, z: number, radius: number, sight: Sight) => void;
