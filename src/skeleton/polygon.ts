@@ -7,6 +7,8 @@
  * around the region cuts off for kernels with a support.
  */
 import { EdgeFrame, type Kernel, type KernelParams } from '../kernel/kernel.ts';
+import { pow } from '../math/pow.ts';
+import { TAU } from '../math/trig.ts';
 import type { Vec3 } from '../math/vec.ts';
 import { checkedParams, reach, whole } from './binding.ts';
 import { boxOf } from './boxOf.ts';
@@ -24,8 +26,9 @@ const FARTHEST = 1e30;
 /** so much farther than rounding leaves doubt */
 const OVER = 1.0001;
 /**
- * What sums over edges leave, in parts of the largest field at the point's height, and from afar of the field times the distance:
- * panels are good to 1e-12 of it; singular kernels, whose largest is large, have none that are worse than 1e-14.
+ * What sums over edges leave, in parts of the largest field at the point's height, and from afar of the field times the distance;
+ * of kernels whose plane is infinite, in parts of what edges come to. Panels are good to 1e-12 of it; singular kernels, whose
+ * largest is large, have none that are worse than 1e-14.
  */
 const RESIDUE = { wide: 4e-12, singular: 1e-13 };
 
@@ -87,8 +90,11 @@ function bind(skel: PolygonSkel, kernel: Kernel, params: KernelParams): SkelFiel
     }
   };
 
+  const isSlow = (kernel.wholePlane?.(1, frame.exponent) ?? Infinity) === Infinity;
+  const growth = kernel.homogeneity === 0 ? Math.max(2 - frame.exponent, 0) : 0;
   const left = (height: number, distance: number) => {
-    const near = Math.max(distance - size, 0);
+    if (isSlow) return residue * TAU * region.turns * extent.most * pow(1 + distance, growth);
+    const near = Math.max(distance - size, height);
     return residue * (spreader.most(height * height) + (1 + distance / size) * spreader.most(near * near));
   };
   const spreader = new Spreader(kernel, frame.exponent, extent, per, (x, y, z, radius, sight) => {
