@@ -6,8 +6,15 @@ import type { Spread } from '../skeleton/skeleton.ts';
 
 /** of the cube's half edge: of the ball around it */
 export const AROUND = Math.sqrt(3) * (1 + 1e-15);
+/** of coordinates: half a last digit */
+const EPSILON = 2.3e-16;
 /** of all that is added */
 const ROUNDING = 2e-15;
+
+/** `half`, and what coordinates in the cube are off by when they are rounded. */
+export function roundedHalf(x: number, y: number, z: number, half: number): number {
+  return half + EPSILON * (Math.max(Math.abs(x), Math.abs(y), Math.abs(z)) + half);
+}
 
 export function closed(spread: Spread, half: number, out: Float64Array): void {
   const middle = spread[0]!;

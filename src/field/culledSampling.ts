@@ -75,12 +75,9 @@ class Culling {
   #within(outer: Near, i: number, j: number, k: number, size: number): Near {
     const { origin, step } = this.#lattice;
     const half = 0.5 * size * step;
-    // a little more: the nodes' own coordinates are rounded
-    const grown =
-      half * (1 + 1e-12) + 1e-15 * (Math.abs(origin[0]) + Math.abs(origin[1]) + Math.abs(origin[2]));
     const [x, y, z] = [origin[0] + i * step + half, origin[1] + j * step + half, origin[2] + k * step + half];
     // what is neglected above is neglected in all cubes below: half as much a level
-    return outer.within(x, y, z, grown, (NEGLECTED * BRICK) / size);
+    return outer.within(x, y, z, half * (1 + 1e-12), (NEGLECTED * BRICK) / size);
   }
 
   #evaluate(near: Near, i: number, j: number, k: number): void {

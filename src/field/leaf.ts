@@ -2,7 +2,7 @@
 import type { ShapeField } from '../shape/shape.ts';
 import { type Box, type FieldValue, SPREAD } from '../skeleton/skeleton.ts';
 import { type Affine, IDENTITY, inverted, mappedBox, stretches } from './affine.ts';
-import { AROUND, closed } from './closed.ts';
+import { AROUND, closed, roundedHalf } from './closed.ts';
 import type { Colour } from './node.ts';
 import type { LeafField, TreeField } from './treeField.ts';
 
@@ -17,8 +17,9 @@ export function coloured(field: ShapeField, colour: Colour): LeafField {
       field.spread(x, y, z, radius, out);
     },
     range(x, y, z, half, out) {
-      field.spread(x, y, z, AROUND * half, spread);
-      closed(spread, half, out);
+      const grown = roundedHalf(x, y, z, half);
+      field.spread(x, y, z, AROUND * grown, spread);
+      closed(spread, grown, out);
     },
     box: field.box,
     boxAbove: (level) => field.boxAbove(level),
@@ -111,13 +112,13 @@ class Moved implements TreeField {
     const m = this.#back;
     const spread = this.#spread;
     // a mapped point is off by what rounding leaves of its coordinates
-    const size = Math.abs(x) + Math.abs(y) + Math.abs(z) + half;
-    const off = ROUNDING * (this.#stretch * (size + AROUND * half) + this.#size);
+    const radius = AROUND * roundedHalf(x, y, z, half);
+    const off = ROUNDING * (this.#stretch * (Math.abs(x) + Math.abs(y) + Math.abs(z) + radius) + this.#size);
     this.#field.spread(
       m[0] * x + m[1] * y + m[2] * z + m[3],
       m[4] * x + m[5] * y + m[6] * z + m[7],
       m[8] * x + m[9] * y + m[10] * z + m[11],
-      AROUND * half * this.#stretch + off,
+      radius * this.#stretch + off,
       spread,
     );
     const gx = spread[1]!;
@@ -128,7 +129,7 @@ class Moved implements TreeField {
     spread[1] = m[0] * gx + m[4] * gy + m[8] * gz;
     spread[2] = m[1] * gx + m[5] * gy + m[9] * gz;
     spread[3] = m[2] * gx + m[6] * gy + m[10] * gz;
-    closed(spread, half, out);
+    closed(spread, roundedHalf(x, y, z, half), out);
     out[0] = widened(this.#scale * out[0]!, -1);
     out[1] = widened(this.#scale * out[1]!, 1);
   }

@@ -7,7 +7,7 @@
  * An octree hands down what was left, so that a small cube never looks at all skels.
  */
 import { SPREAD } from '../skeleton/skeleton.ts';
-import { AROUND, closed } from './closed.ts';
+import { AROUND, closed, roundedHalf } from './closed.ts';
 import type { Near } from './near.ts';
 import type { BoundTerm } from './skelSum.ts';
 
@@ -57,7 +57,8 @@ export class NearSum implements Near {
     return sum;
   }
 
-  within(x: number, y: number, z: number, half: number, share: number): Near {
+  within(x: number, y: number, z: number, cube: number, share: number): Near {
+    const half = roundedHalf(x, y, z, cube);
     const spreads = this.#spreads(x, y, z, AROUND * half);
     const range = this.#range(x, y, z, half, spreads);
     const order = spreads.map((_, i) => i).sort((a, b) => spreads[a]![4]! - spreads[b]![4]!);

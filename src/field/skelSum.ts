@@ -11,7 +11,7 @@ import {
   type Spread,
 } from '../skeleton/skeleton.ts';
 import { grown, unite } from './boxes.ts';
-import { AROUND, closed } from './closed.ts';
+import { AROUND, closed, roundedHalf } from './closed.ts';
 import type { Near } from './near.ts';
 import { NearSum } from './nearSum.ts';
 import type { Colour } from './node.ts';
@@ -101,8 +101,9 @@ class SkelSum implements LeafField {
   }
 
   range(x: number, y: number, z: number, half: number, out: Float64Array): void {
-    this.spread(x, y, z, AROUND * half, this.#spread);
-    closed(this.#spread, half, out);
+    const grown = roundedHalf(x, y, z, half);
+    this.spread(x, y, z, AROUND * grown, this.#spread);
+    closed(this.#spread, grown, out);
   }
 
   near(): Near {

@@ -14,6 +14,22 @@ export interface Frame {
 /** of coordinates */
 const ROUNDING = 4e-15;
 
+/** A ball in the frame of the plain skel. Mutable; the numbers say that these are doubles. */
+class Seen {
+  x = 0.5;
+  y = 0.5;
+  z = 0.5;
+  /** how far its points are from there at most, and how far from where the derivatives take them */
+  reach = 0.5;
+  bend = 0.5;
+  isLinear = false;
+  /** across the skel, before the section */
+  qx = 0.5;
+  qy = 0.5;
+}
+
+const seen = new Seen();
+
 export class Warped implements SkelField {
   readonly #skel: SkelField;
   readonly #frame: Frame;
@@ -25,11 +41,11 @@ export class Warped implements SkelField {
   readonly #spread = new Float64Array(SPREAD);
   readonly #move = new Float64Array(2);
   readonly box: Box;
-  readonly far: SkelField['far'];
+  readonly standIn: SkelField['standIn'];
 
   constructor(skel: SkelField, frame: Frame, section: Section, bx: number, by: number) {
     this.#skel = skel;
-    this.far = skel.far;
+    this.standIn = skel.standIn;
     this.#frame = frame;
     this.#section = section;
     this.#bx = bx;
@@ -71,46 +87,22 @@ export class Warped implements SkelField {
   }
 
   spread(x: number, y: number, z: number, radius: number, factor: number, out: Spread): void {
-    const { origin, x: ex, y: ey, z: ez } = this.#frame;
-    const dx = x - origin[0];
-    const dy = y - origin[1];
-    const dz = z - origin[2];
-    const qx = (ex[0] * dx + ex[1] * dy + ex[2] * dz) / this.#bx;
-    const qy = (ey[0] * dx + ey[1] * dy + ey[2] * dz) / this.#by;
-    this.#section.evaluate(qx, qy, this.#stretch);
-    const m = this.#stretch[0]!;
-    const off = ROUNDING * (Math.abs(dx) + Math.abs(dy) + Math.abs(dz) + radius);
-    const by = radius + off;
-    const move = this.#move;
-    this.#section.move(qx, qy, m, by / this.#bx, by / this.#by, move);
-    const [across, bend] = [move[0]!, move[1]!];
-    // a map without a bend takes balls to ellipsoids
-    const reach = bend === 0 ? Math.max(across, by) : Math.sqrt(across * across + by * by) * (1 + ROUNDING);
+    this.#see(x, y, z, radius);
     const local = this.#spread.fill(0);
-    this.#skel.spread(m * qx, m * qy, ez[0] * dx + ez[1] * dy + ez[2] * dz, reach, factor, local);
-    if (local[4]! > 0) this.#back(local, qx, qy, reach, bend + off, out);
+    this.#skel.spread(seen.x, seen.y, seen.z, seen.reach, factor, local);
+    if (local[4]! > 0) this.#back(local, out);
   }
 
   /** The map keeps quadratics only where it is linear. */
   missed(x: number, y: number, z: number, radius: number): number {
-    const { origin, x: ex, y: ey, z: ez } = this.#frame;
-    const dx = x - origin[0];
-    const dy = y - origin[1];
-    const dz = z - origin[2];
-    const qx = (ex[0] * dx + ex[1] * dy + ex[2] * dz) / this.#bx;
-    const qy = (ey[0] * dx + ey[1] * dy + ey[2] * dz) / this.#by;
-    const m = this.#section.value(qx, qy);
-    const by = radius + ROUNDING * (Math.abs(dx) + Math.abs(dy) + Math.abs(dz) + radius);
-    const move = this.#move;
-    this.#section.move(qx, qy, m, by / this.#bx, by / this.#by, move);
-    const [across, bend] = [move[0]!, move[1]!];
-    if (bend !== 0 && this.far === 'quadratic') return Infinity;
-    const reach = bend === 0 ? Math.max(across, by) : Math.sqrt(across * across + by * by) * (1 + ROUNDING);
-    return this.#skel.missed(m * qx, m * qy, ez[0] * dx + ez[1] * dy + ez[2] * dz, reach);
+    this.#see(x, y, z, radius);
+    if (!seen.isLinear && this.standIn === 'quadratic') return Infinity;
+    return this.#skel.missed(seen.x, seen.y, seen.z, seen.reach);
   }
 
   /** Adds a spread of the plain skel: with its gradient brought back, or where the map bends too much for that without one. */
-  #back(local: Spread, qx: number, qy: number, reach: number, bend: number, out: Spread): void {
+  #back(local: Spread, out: Spread): void {
+    const { qx, qy, reach, bend } = seen;
     const { x: ex, y: ey, z: ez } = this.#frame;
     const [gx, gy, gz] = [local[1]!, local[2]!, local[3]!];
     const across = Math.sqrt(gx * gx + gy * gy);
@@ -129,6 +121,31 @@ export class Warped implements SkelField {
     const wx = (stretch[0]! * gx + radial * stretch[1]!) / this.#bx;
     const wy = (stretch[0]! * gy + radial * stretch[2]!) / this.#by;
     for (let i = 0; i < 3; i++) out[i + 1] = out[i + 1]! + ex[i]! * wx + ey[i]! * wy + ez[i]! * gz;
+  }
+
+  /** The ball about (x, y, z) in the frame of the plain skel. */
+  #see(x: number, y: number, z: number, radius: number): void {
+    const { origin, x: ex, y: ey, z: ez } = this.#frame;
+    const dx = x - origin[0];
+    const dy = y - origin[1];
+    const dz = z - origin[2];
+    const qx = (ex[0] * dx + ex[1] * dy + ex[2] * dz) / this.#bx;
+    const qy = (ey[0] * dx + ey[1] * dy + ey[2] * dz) / this.#by;
+    this.#section.evaluate(qx, qy, this.#stretch);
+    const m = this.#stretch[0]!;
+    const off = ROUNDING * (Math.abs(dx) + Math.abs(dy) + Math.abs(dz) + radius);
+    const by = radius + off;
+    this.#section.move(qx, qy, m, by / this.#bx, by / this.#by, this.#move);
+    const across = this.#move[0]!;
+    // a map without a bend takes balls to ellipsoids
+    seen.isLinear = this.#move[1] === 0;
+    seen.reach = seen.isLinear ? Math.max(across, by) : Math.sqrt(across * across + by * by) * (1 + ROUNDING);
+    seen.bend = this.#move[1]! + off;
+    seen.qx = qx;
+    seen.qy = qy;
+    seen.x = m * qx;
+    seen.y = m * qy;
+    seen.z = ez[0] * dx + ez[1] * dy + ez[2] * dz;
   }
 
   offset(threshold: number): number {

@@ -2,7 +2,7 @@
  * The largest field that a skel of weight 1 can have at a distance: a line of some length straight beside the point, a
  * disc of some area right below it (whatever lies farther than r is as far as that of a disc at height r). Kernel units.
  */
-import { log, log1p } from '../math/log.ts';
+import { log1p } from '../math/log.ts';
 import { PI } from '../math/trig.ts';
 import type { Kernel } from './kernel.ts';
 
@@ -22,7 +22,7 @@ export function mostOfPlate(kernel: Kernel, r2: number, covered: number, turns: 
 /** ∫ 1/r: 2 asinh(l/2r) */
 function inverseLine(r2: number, length: number): number {
   const h = (0.5 * length) / Math.sqrt(r2);
-  return 2 * log(h + Math.sqrt(1 + h * h));
+  return 2 * log1p(h + (h * h) / (1 + Math.sqrt(1 + h * h)));
 }
 
 /** Of 1/r and 1/r² over a disc. */

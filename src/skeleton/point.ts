@@ -8,7 +8,7 @@ import { pow } from '../math/pow.ts';
 import { checkedParams, checkNumbers, checkPlaces, reach, whole } from './binding.ts';
 import type { FieldValue, Skeleton, SkelField } from './skeleton.ts';
 import type { PointSkel } from './skels.ts';
-import { farOf, Spreader } from './spread.ts';
+import { Spreader, standInOf } from './spread.ts';
 
 export const point: Skeleton<PointSkel> = { name: 'point', bind };
 
@@ -44,7 +44,7 @@ function bind({ at, weight }: PointSkel, kernel: Kernel, params: KernelParams): 
     sight.slack = 0;
   });
   const field: SkelField = {
-    far: farOf(kernel),
+    standIn: standInOf(kernel),
     box: { min: at, max: at },
     offset: (threshold) => (weight === 0 ? 0 : unit * reach((r2) => spreader.most(r2), threshold, support)),
     value: (x, y, z) => factor * kernel.value(squared(x, y, z), exponent),

@@ -7,6 +7,8 @@
  * around the region cuts off for kernels with a support.
  */
 import { EdgeFrame, type Kernel, type KernelParams } from '../kernel/kernel.ts';
+import { pow } from '../math/pow.ts';
+import { TAU } from '../math/trig.ts';
 import type { Vec3 } from '../math/vec.ts';
 import { checkedParams, reach, whole } from './binding.ts';
 import { boxOf } from './boxOf.ts';
@@ -15,7 +17,7 @@ import { plateDistance } from './plateDistance.ts';
 import { type Region, regionOf } from './region.ts';
 import { FieldError, type FieldValue, type Skeleton, type SkelField } from './skeleton.ts';
 import type { PolygonSkel } from './skels.ts';
-import { farOf, Spreader } from './spread.ts';
+import { Spreader, standInOf } from './spread.ts';
 
 export const polygon: Skeleton<PolygonSkel> = { name: 'polygon', bind };
 
@@ -24,8 +26,9 @@ const FARTHEST = 1e30;
 /** so much farther than rounding leaves doubt */
 const OVER = 1.0001;
 /**
- * What sums over edges leave, in parts of the largest field at the point's height: panels are good to 1e-12 of it; singular
- * kernels, whose largest is large, have none that are worse than 1e-14.
+ * What sums over edges leave, in parts of the largest field at the point's height, and from afar of the field times the distance;
+ * of kernels whose plane is infinite, in parts of what edges come to. Panels are good to 1e-12 of it; singular kernels, whose
+ * largest is large, have none that are worse than 1e-14.
  */
 const RESIDUE = { wide: 4e-12, singular: 1e-13 };
 
@@ -52,7 +55,8 @@ function bind(skel: PolygonSkel, kernel: Kernel, params: KernelParams): SkelFiel
   frame.floor2 = kernel.floor2.plate;
   const integral = new Float64Array(3);
   const { support } = kernel;
-  const beyond = region.radius * per + Math.min(support, FARTHEST);
+  const size = region.radius * per;
+  const beyond = size + Math.min(support, FARTHEST);
   // value and gradient in the frame of the plane, kernel units
   const sum = new Float64Array(4);
   const least = Math.sqrt(frame.floor2);
@@ -86,6 +90,13 @@ function bind(skel: PolygonSkel, kernel: Kernel, params: KernelParams): SkelFiel
     }
   };
 
+  const isSlow = (kernel.wholePlane?.(1, frame.exponent) ?? Infinity) === Infinity;
+  const growth = kernel.homogeneity === 0 ? Math.max(2 - frame.exponent, 0) : 0;
+  const left = (height: number, distance: number) => {
+    if (isSlow) return residue * TAU * region.turns * extent.most * pow(1 + distance, growth);
+    const near = Math.max(distance - size, height);
+    return residue * (spreader.most(height * height) + (1 + distance / size) * spreader.most(near * near));
+  };
   const spreader = new Spreader(kernel, frame.exponent, extent, per, (x, y, z, radius, sight) => {
     const vx = (x - middle[0]) * per;
     const vy = (y - middle[1]) * per;
@@ -94,18 +105,16 @@ function bind(skel: PolygonSkel, kernel: Kernel, params: KernelParams): SkelFiel
     const qy = vx * v[0] + vy * v[1] + vz * v[2];
     const height = Math.abs(vx * n[0] + vy * n[1] + vz * n[2]);
     const low = Math.max(height - radius * per, 0);
-    const far = Math.sqrt(vx * vx + vy * vy + vz * vz) - radius * per;
+    const far = Math.max(Math.sqrt(vx * vx + vy * vy + vz * vz) - radius * per, 0);
     // beyond the circle nothing at all is left
     const isBeyond = far > OVER * beyond || low > OVER * support;
-    const across = isBeyond
-      ? Math.max(Math.sqrt(qx * qx + qy * qy) - region.radius * per, 0)
-      : plateDistance(edges, qx, qy);
+    const across = isBeyond ? Math.max(Math.sqrt(qx * qx + qy * qy) - size, 0) : plateDistance(edges, qx, qy);
     sight.distance = Math.sqrt(across * across + height * height);
     sight.isClear = least === 0 || low > least;
-    sight.slack = isBeyond ? 0 : residue * spreader.most(low * low);
+    sight.slack = isBeyond ? 0 : left(low, far);
   });
   const field: SkelField = {
-    far: farOf(kernel),
+    standIn: standInOf(kernel),
     box: boxOf(cornersOf(region)),
     offset: (threshold) => (factor === 0 ? 0 : unit * reach((r2) => spreader.most(r2), threshold, support)),
     value(x, y, z) {

@@ -19,7 +19,7 @@ import {
   type Spread,
 } from './skeleton.ts';
 import type { SegmentSkel } from './skels.ts';
-import { farOf, type Spreader } from './spread.ts';
+import { type Spreader, standInOf } from './spread.ts';
 
 export const segment: Skeleton<SegmentSkel> = { name: 'segment', bind };
 
@@ -39,7 +39,13 @@ function bind({ a, b, weights }: SegmentSkel, kernel: Kernel, params: KernelPara
 }
 
 /** of a segment of no length */
-const NOTHING = { value: () => 0, add: () => {}, spread: () => {}, missed: () => 0, far: 'nothing' } as const;
+const NOTHING = {
+  value: () => 0,
+  add: () => {},
+  spread: () => {},
+  missed: () => 0,
+  standIn: 'nothing',
+} as const;
 
 /** What a kernel leaves, and the perpendicular from the line to the point: made once, filled again for each evaluation. */
 const integral = new Float64Array(3);
@@ -51,7 +57,7 @@ const perp = new Float64Array(3);
  */
 class SegmentField implements SkelField {
   readonly box: Box;
-  readonly far: SkelField['far'];
+  readonly standIn: SkelField['standIn'];
   readonly #kernel: Kernel;
   readonly #line: Kernel['line'];
   readonly #frame = new LineFrame();
@@ -74,7 +80,7 @@ class SegmentField implements SkelField {
     params: KernelParams,
   ) {
     this.box = box;
-    this.far = farOf(kernel);
+    this.standIn = standInOf(kernel);
     this.#kernel = kernel;
     this.#line = kernel.line;
     this.#unit = kernel.unit(params, mm);
@@ -102,9 +108,10 @@ class SegmentField implements SkelField {
     const line = { a: this.#a, u: this.#u, per: this.#per, length, w0: weights[0]!, w1: weights[1]! };
     const quick = this.#kernel.linear?.(line);
     if (!quick) return null;
+    // names that the quick form does not have itself
     return Object.assign(quick, {
       box: this.box,
-      far: this.far,
+      standIn: this.standIn,
       missed: (x: number, y: number, z: number, radius: number) => this.missed(x, y, z, radius),
       offset: (threshold: number) => this.offset(threshold),
       spread: (x: number, y: number, z: number, radius: number, factor: number, out: Spread) =>

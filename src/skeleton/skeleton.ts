@@ -29,7 +29,7 @@ export interface SkelField {
   /** Adds `factor` times the spread within `radius` mm; exactly nothing beyond a support. */
   spread(x: number, y: number, z: number, radius: number, factor: number, out: Spread): void;
   /** what may stand for the field from afar: its Taylor polynomial of the second degree, or nothing */
-  readonly far: 'quadratic' | 'nothing';
+  readonly standIn: 'quadratic' | 'nothing';
   /** A bound on what that misses within `radius` mm, without an evaluation; Infinity where none is known, 0 beyond a support. */
   missed(x: number, y: number, z: number, radius: number): number;
   /** of the skel itself, without its field */

@@ -53,7 +53,7 @@ export class Sight {
 }
 
 /** What stands for skels of a kernel from afar. */
-export const farOf = ({ change }: Kernel) => (change.type === 'relative' ? 'quadratic' : 'nothing');
+export const standInOf = ({ change }: Kernel) => (change.type === 'relative' ? 'quadratic' : 'nothing');
 
 /** What each kind of skel brings: fills the sight of it from the ball about (x, y, z), mm. */
 export type See = (x: number, y: number, z: number, radius: number, sight: Sight) => void;
@@ -133,27 +133,29 @@ export class Spreader {
   #relative(change: RelativeChange): void {
     const { isClear, slack } = sight;
     const { sign, dimension, evenness } = this.#extent;
-    const value = centre[0]!;
     change.factors(step);
-    if (sign !== 0 && step.most < FAR && evenness < EVEN && isClear) {
-      // too far for any other bound
-      const size = Math.abs(value);
-      const margin = MARGIN * evenness * size * step.most + slack + LEAST;
-      const [least, most] = [sign * size * step.least, sign * size * step.most];
-      range[0] = Math.min(least, most) - margin;
-      range[1] = Math.max(least, most) + margin;
-      range[2] = size * step.bend + margin;
-      return;
-    }
-    const { near } = step;
-    const cap = this.most(near * near);
     const up = Math.min(step.most, 1e300);
-    // whatever the signs, both parts of the field are within this
-    const whole = sign === 0 ? this.most(step.r * step.r) : Math.abs(value);
-    const swing = whole * Math.max(up - 1, 1 - step.least);
-    range[0] = sign > 0 ? value * step.least : value - swing;
-    range[1] = sign < 0 ? value * step.least : value + swing;
-    range[2] = whole * step.bend;
+    const { near } = step;
+    if (sign === 0) {
+      // whatever the signs, both parts of the field are within this
+      const whole = this.most(step.r * step.r);
+      const swing = whole * Math.max(up - 1, 1 - step.least);
+      range[0] = centre[0]! - swing;
+      range[1] = centre[0]! + swing;
+      range[2] = whole * step.bend;
+    } else {
+      const size = Math.max(sign * centre[0]!, 0);
+      const low = Math.max(size - slack, 0) * step.least;
+      const high = (size + slack) * up;
+      range[0] = sign > 0 ? low : -high;
+      range[1] = sign > 0 ? high : -low;
+      range[2] = (size + slack) * step.bend;
+      if (up < FAR && evenness < EVEN && isClear) {
+        this.#cut(evenness * high);
+        return;
+      }
+    }
+    const cap = this.most(near * near);
     if (!isClear || near < this.#least) {
       const isBeyond = dimension === 1 && near > this.#least;
       range[2] = isBeyond ? range[2]! + (CLAMPED * cap * this.#least) / near : Infinity;

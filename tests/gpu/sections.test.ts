@@ -171,7 +171,7 @@ describeGpu(`cross sections in WGSL are their twins (${COUNT} points, seed ${SEE
         });
       },
       spread: () => {},
-      far: 'nothing',
+      standIn: 'nothing',
       missed: () => Infinity,
       offset: () => 0,
     };

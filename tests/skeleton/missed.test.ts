@@ -31,7 +31,7 @@ test(`a quadratic misses no more than is said, and half as far an eighth (seed $
   for (const { kernel, params, title } of powers) {
     everySpecimen.forEach((skel, i) => {
       const field = bindSkel(skel, kernel, params);
-      expect(field.far).toBe('quadratic');
+      expect(field.standIn).toBe('quadratic');
       for (const p of pointsAround(skel, SEED + i, 4)) {
         const radius = 0.1 + 0.5 * next();
         const missed = field.missed(...p, radius);
@@ -62,7 +62,7 @@ test(`what is dropped is no larger than is said, nothing beyond a support (seed 
   for (const { kernel, params } of others) {
     everySpecimen.forEach((skel, i) => {
       const field = bindSkel(skel, kernel, params);
-      expect(field.far).toBe('nothing');
+      expect(field.standIn).toBe('nothing');
       for (const p of pointsAround(skel, SEED + i, 6)) {
         const radius = 0.1 + next();
         const missed = field.missed(...p, radius);
