@@ -24,7 +24,7 @@ export const FIELD_WORDS = {
   },
   webgl2: 'WebGL2, slower',
   loading: 'Preparing the picture',
-  badAddress: (problem: string) => `The address was not understood: ${problem}. These are the defaults.`,
+  badAddress: (problem: string) => `Not understood in the address: ${problem}. All else there holds.`,
   reset: 'Everything as at first',
   copied: 'Tree copied as JSON',
   notCopied: 'The browser did not let the tree be copied',
