@@ -54,6 +54,10 @@ test('a body appears in colour, a slider changes it, the address keeps it', asyn
   await expect.poll(() => page.evaluate(() => location.hash)).toMatch(/^#radius=\d/);
   await radius.dblclick();
   await expect.poll(() => page.evaluate(() => location.hash)).toBe(COARSE);
+  await radius.press('ArrowRight');
+  await expect.poll(() => page.evaluate(() => location.hash)).toMatch(/^#radius=\d/);
+  await radius.press('Delete');
+  await expect.poll(() => page.evaluate(() => location.hash)).toBe(COARSE);
   await expect.poll(async () => (await body(page)).triangles).toBe(first.triangles);
 });
 
@@ -74,18 +78,40 @@ test('on the graphics device it is the same body', async ({ page }) => {
 test('what has no field is told, and the last body stays', async ({ page }) => {
   await open(page, '/field.html#skeleton=segment&kernel=nonsense');
   await expect(page.getByRole('alert')).toContainText('found “nonsense”');
-  await page.getByRole('radio', { name: 'Segment' }).click();
+  // all else in the address holds
+  await expect(page.getByRole('radio', { name: 'Segment' })).toBeChecked();
+  await page.getByRole('button', { name: 'Close' }).click();
   await expect(page.getByRole('alert')).toHaveCount(0);
-  await expect(page.getByRole('status')).toHaveText('Body made');
   const { triangles } = await body(page);
-  const threshold = page.getByRole('slider', { name: 'Threshold T' });
-  await threshold.focus();
-  await threshold.press('Home');
-  await expect(page.getByRole('alert')).toContainText('threshold must be above 0');
+  await expect(page.locator('.status')).toContainText('triangles');
+  await page.evaluate(() => {
+    location.hash = '#skeleton=segment&kernel=quartic&width=own&R=10';
+  });
+  await expect(page.getByRole('alert')).toContainText('beyond its support');
   await expect(page.getByRole('status')).toHaveText('Not made. The last body stays');
   expect((await body(page)).triangles).toBe(triangles);
+  await expect(page.locator('.status')).not.toContainText('triangles');
   await page.getByRole('button', { name: 'Reset everything' }).click();
   await expect(page.getByRole('alert')).toHaveCount(0);
+});
+
+test('the whole body is in sight: on demand, and when a choice makes it larger', async ({ page }) => {
+  const height = () => page.evaluate(() => document.querySelector('rotund-field')!.stage.view.height);
+  await open(page, '/field.html#skeleton=segment&shapeX=60&resolution=32');
+  const first = await height();
+  await page.locator('.stage').press('+');
+  expect(await height()).toBeLessThan(first);
+  await page.getByRole('button', { name: 'Show everything' }).click();
+  await expect.poll(height).toBeCloseTo(first, 6);
+  await page.getByRole('radio', { name: 'Union' }).click();
+  await expect.poll(height).toBeGreaterThan(1.1 * first);
+  await expect(page.getByRole('status')).toHaveText('Body made');
+  const all = await height();
+  const { id } = await body(page);
+  await page.getByRole('slider', { name: 'Size' }).press('ArrowRight');
+  await expect.poll(async () => (await body(page)).id).toBeGreaterThan(id);
+  await expect(page.getByRole('status')).toHaveText('Body made');
+  expect(await height()).toBe(all);
 });
 
 test('without WebGPU, on a phone, in the dark: the same body, and nothing axe would say', async ({

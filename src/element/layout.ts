@@ -130,7 +130,7 @@ export const layout = css`
 
   /* notices */
   .notice { position: absolute; left: 50%; top: 5.25rem; width: max-content; transform: translateX(-50%); display: flex; align-items: center; gap: 0.5rem; padding: 0.25rem 0.25rem 0.25rem 1rem; border-radius: 1.125rem; box-shadow: var(--e2); max-width: calc(100% - 2rem); z-index: 2; }
-  .notice .icon { color: var(--warn); }
+  .notice > .icon { color: var(--warn); }
 
   /* panels */
   .panel { position: absolute; right: var(--gap); top: 5.25rem; width: 20rem; max-height: calc(100% - 6.25rem); overflow: auto; padding: 0.5rem 0.5rem 0.625rem; box-shadow: var(--e2); z-index: 2; }
@@ -213,6 +213,8 @@ export const layout = css`
   :host([data-theme='contrast']) :is(.b.quiet, .segment) { box-shadow: inset 0 0 0 1.5px #000; }
   @media (forced-colors: active) {
     .card, .b, .segment button { border: 1px solid ButtonText; }
-    .b[aria-pressed='true'], [aria-checked='true'] { background: Highlight; color: HighlightText; }
+    .b[aria-pressed='true'], .app [aria-checked='true'] { background: Highlight; color: HighlightText; box-shadow: none; forced-color-adjust: none; }
+    /* its track is a gradient, which would be taken away */
+    input[type='range'] { forced-color-adjust: none; --surface: Canvas; --ink-2: Highlight; --track: CanvasText; --pencil: Highlight; --e1: none; }
   }
 `;

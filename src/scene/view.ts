@@ -107,6 +107,27 @@ export function fitted(view: View, box: Box, aspect: number, margins = AIR): Vie
   return { ...view, pivot: pivot as unknown as Vec3, height };
 }
 
+/** Whether all points, three numbers each, are in the picture between the margins. */
+export function holds(view: View, points: ArrayLike<number>, aspect: number, margins: Margins): boolean {
+  const [right, up, back] = axes(view.rotation);
+  const slope = Math.tan((view.fov * Math.PI) / 360);
+  const from: [number, number, number] = [0, 0, 0];
+  for (let i = 0; i < points.length; i += 3) {
+    vec3.set(
+      from,
+      points[i]! - view.pivot[0],
+      points[i + 1]! - view.pivot[1],
+      points[i + 2]! - view.pivot[2],
+    );
+    // mm that the picture is high where the point is
+    const height = view.height - 2 * slope * vec3.dot(from, back);
+    const [x, y] = [0.5 + vec3.dot(from, right) / height / aspect, 0.5 - vec3.dot(from, up) / height];
+    const isHeld = x > margins.left && x < 1 - margins.right && y > margins.top && y < 1 - margins.bottom;
+    if (height <= 0 || !isHeld) return false;
+  }
+  return true;
+}
+
 function* corners({ min, max }: Box): Iterable<Vec3> {
   for (const x of [min[0], max[0]])
     for (const y of [min[1], max[1]]) for (const z of [min[2], max[2]]) yield [x, y, z];

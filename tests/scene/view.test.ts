@@ -11,6 +11,7 @@ import {
   FRONT_VIEW,
   fitted,
   heightLimits,
+  holds,
   kept,
 } from '../../src/scene/view.ts';
 import type { View } from '../../src/stroke/stroke.ts';
@@ -93,6 +94,33 @@ describe('fitted', () => {
         if (slimness(view, min, max, aspect) > 0.1) expect(most).toBeGreaterThan(0.79);
       }),
     );
+  });
+});
+
+describe('holds', () => {
+  const box = { min: [-20, -10, -5], max: [40, 30, 8] } as const;
+  const corners = [0, 1, 2, 3, 4, 5, 6, 7].flatMap((i) =>
+    [0, 1, 2].map((k) => ((i >> k) & 1 ? box.max : box.min)[k]!),
+  );
+  const margins = { left: 0.05, top: 0.12, right: 0.3, bottom: 0.14 };
+  const wider = { left: 0.04, top: 0.11, right: 0.29, bottom: 0.13 };
+
+  it('what was fitted, and nothing larger than that', () => {
+    fc.assert(
+      fc.property(aView, fc.constantFrom(0.5, 1, 1.6), (view, aspect) => {
+        // in perspective unequal margins are kept at the pivot's depth only
+        const shown = fitted({ ...view, fov: 0 }, box, aspect, margins);
+        expect(holds(shown, corners, aspect, wider)).toBe(true);
+        expect(holds({ ...shown, height: shown.height / 3 }, corners, aspect, margins)).toBe(false);
+      }),
+    );
+  });
+
+  it('nothing behind the eye', () => {
+    const view = { pivot: [0, 0, 0], rotation: [0, 0, 0, 1], height: 10, fov: 30 } as const;
+    const air = { left: 0, top: 0, right: 0, bottom: 0 };
+    expect(holds(view, [0, 0, 10], 1, air)).toBe(true);
+    expect(holds(view, [0, 0, 30], 1, air)).toBe(false);
   });
 });
 

@@ -1,8 +1,9 @@
-/** What floats around the picture of the field page: top bar, dock, status line, notice. */
+/** What floats around the picture of the field page: top bar, dock with its notice, status line. */
 import { html, nothing, type TemplateResult } from 'lit';
 import { guard } from 'lit/directives/guard.js';
 import { iconButton, roving } from '../controls.ts';
 import { ball, icon, wordmark } from '../icons.ts';
+import { WORDS } from '../words.ts';
 import type { FieldBody } from './fieldBody.ts';
 import { CHOICES } from './fieldState.ts';
 import { FIELD_WORDS } from './fieldWords.ts';
@@ -16,6 +17,10 @@ export interface Page extends Desk {
   /** a passing word of the status line */
   readonly said: string;
   fold(): void;
+  showAll(): void;
+  close(): void;
+  /** in words; null: there is none, or it was closed */
+  readonly problem: string | null;
   reset(): void;
   copy(): Promise<void>;
 }
@@ -26,14 +31,20 @@ const BALL = '#dd7f36';
 export function topBar(page: Page): TemplateResult {
   return html`<div class="top">
     <div class="tray card title">${wordmark}<b>${FIELD_WORDS.title}</b></div>
-    <div class="tray card" role="radiogroup" aria-label="Style" @keydown=${roving}>
-      ${CHOICES.style.options.map(([id, name]) => {
-        const chosen = page.state.style === id;
-        return html`<button class="style" role="radio" aria-label=${name} title=${name} aria-checked=${chosen} tabindex=${chosen ? 0 : -1}
-          @click=${() => page.set({ style: id })}>${ball(id, BALL)}<span>${name}</span></button>`;
-      })}
+    <div class="tray card right">
+      <div class="radios" role="radiogroup" aria-label="Style" @keydown=${roving}>
+        ${CHOICES.style.options.map((option) => styleRadio(page, option))}
+      </div>
+      <span class="separator"></span>
+      ${iconButton('focus', 'Show everything', () => page.showAll(), { key: 'Home' })}
     </div>
   </div>`;
+}
+
+function styleRadio(page: Page, [id, name]: (typeof CHOICES.style.options)[number]): TemplateResult {
+  const chosen = page.state.style === id;
+  return html`<button class="style" role="radio" aria-label=${name} title=${name} aria-checked=${chosen} tabindex=${chosen ? 0 : -1}
+    @click=${() => page.set({ style: id })}>${ball(id, BALL)}<span>${name}</span></button>`;
 }
 
 /** Beside the picture; on narrow pages a sheet that folds. */
@@ -49,20 +60,27 @@ export function dock(page: Page): TemplateResult {
       ${iconButton('down', name, () => page.fold(), { class: 'fold', expanded: !folded })}
     </header>
     <div class="scroll">${guard([state, canUseGpu], () => controls(page, canUseGpu))}</div>
+    ${notice(page)}
   </aside>`;
 }
 
 /** Line 1: the last event. Line 2: the picture and what is in it. Line 3: where it was evaluated, and what that took. */
 export function statusLine({ body, dataset, said }: Page): TemplateResult {
-  const { made, progress } = body;
+  const { progress, problem } = body;
+  // numbers of a body that is not the wanted one would be taken for its own
+  const made = problem ? null : body.made;
   const { backend } = dataset;
-  const picture = backend === 'WebGL2' ? FIELD_WORDS.webgl2 : (backend ?? FIELD_WORDS.loading);
   return html`<div class="status">
     ${bar(progress)}
     <span role="status" aria-live="polite"><b>${said || settled(body)}</b></span>
-    <span><i class="dot ${backend === 'WebGPU' ? '' : 'slow'}"></i>${picture}${made ? ` · ${FIELD_WORDS.facts(made)}` : nothing}</span>
-    ${made ? html`<span>${FIELD_WORDS.work(made)}</span>` : nothing}
+    <span><i class="dot ${backend === 'WebGPU' ? '' : 'slow'}"></i>${pictureOf(backend)}${made ? ` · ${FIELD_WORDS.facts(made)}` : nothing}</span>
+    ${made ? html`<span class="work">${FIELD_WORDS.work(made)}</span>` : nothing}
   </div>`;
+}
+
+function pictureOf(backend: string | undefined): string {
+  if (backend === 'none') return WORDS.noPicture;
+  return backend === 'WebGL2' ? FIELD_WORDS.webgl2 : (backend ?? FIELD_WORDS.loading);
 }
 
 function bar(progress: number | null): TemplateResult {
@@ -76,7 +94,10 @@ function settled({ made, problem }: FieldBody): string {
   return made && !made.draft ? FIELD_WORDS.body(made) : FIELD_WORDS.making;
 }
 
-export function notice(problem: string | null): TemplateResult | typeof nothing {
-  if (!problem) return nothing;
-  return html`<div class="notice card" role="alert">${icon('warn')}<span>${problem}</span></div>`;
+/** At the foot of the controls, where it covers nothing of the body. */
+function notice(page: Page): TemplateResult | typeof nothing {
+  if (!page.problem) return nothing;
+  return html`<div class="notice" role="alert">
+    ${icon('warn')}<span>${page.problem}</span>${iconButton('x', 'Close', () => page.close())}
+  </div>`;
 }

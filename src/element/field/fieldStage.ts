@@ -5,7 +5,7 @@ import type { Quat } from '../../math/vec.ts';
 import { bounds } from '../../mesh/measure.ts';
 import type { Box } from '../../mesh/mesh.ts';
 import type { Look, Scene } from '../../scene/index.ts';
-import { FRONT_VIEW, type Margins } from '../../scene/view.ts';
+import { FRONT_VIEW, holds, type Margins } from '../../scene/view.ts';
 import type { View } from '../../stroke/stroke.ts';
 
 /** From the right and a little above: degrees. */
@@ -24,6 +24,9 @@ const FIRST_VIEW: View = { ...FRONT_VIEW, rotation: turned(YAW, PITCH) };
 const OUTGROWN = 1.8;
 
 const longest = ({ min, max }: Box): number => Math.max(max[0] - min[0], max[1] - min[1], max[2] - min[2]);
+
+/** Whether a body is to fill the picture: always; where it grows under the controls; where it is of quite another size. */
+export type Fit = 'always' | 'covered' | 'never';
 
 export class FieldStage {
   scene: Scene | null = null;
@@ -85,12 +88,13 @@ export class FieldStage {
     this.wake();
   }
 
-  /** `fit`: it is to fill the picture. False where it is there already. */
-  show(mesh: FieldMesh, fit: boolean): boolean {
+  /** False where it is there already. */
+  show(mesh: FieldMesh, fit: Fit): boolean {
     if (mesh === this.#mesh) return false;
+    const wasFree = fit === 'covered' && this.#isFree;
     this.#mesh = mesh;
     this.#box = mesh.indices.length > 0 ? bounds(mesh) : null;
-    this.#fit ||= fit || this.#outgrown;
+    this.#fit ||= fit === 'always' || this.#outgrown || (wasFree && !this.#isFree);
     this.#sync();
     return true;
   }
@@ -101,6 +105,12 @@ export class FieldStage {
       this.#fitted = longest(this.#box);
     }
     this.wake();
+  }
+
+  /** All of the body is between the controls. */
+  get #isFree(): boolean {
+    const { width, height } = this.#size;
+    return this.#mesh === null || holds(this.view, this.#mesh.positions, width / height, this.margins());
   }
 
   /** Too large for the picture it was fitted into, or a dot in it. */

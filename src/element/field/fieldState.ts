@@ -52,10 +52,11 @@ export const NUMBERS = {
   weight2: number('Weight, 3rd ordinate', 0, 3, 0.3, '×'),
   weight3: number('Weight, 4th ordinate', 0, 3, 1, '×'),
   s: parameter('s', 'Sharpness s', '1/mm'),
-  R: parameter('R', 'Support R', 'mm'),
+  // larger than any preset's radius
+  R: log('Support R', 1, 500, 40, 'mm'),
   n: parameter('n', 'Smoothness n', ''),
   // at 10 a body of the default radius is as steep as the distance of a shape, with which it may be blended
-  T: stepped(0.25, 'Threshold T', 0, 20, 10),
+  T: stepped(0.25, 'Threshold T', 0.25, 20, 10),
   carve: stepped(0.05, 'Factor λ', -5, 0, 0),
   carveRadius: log('Radius', 2, 60, 12, 'mm'),
   carveX: stepped(1, 'Along x', -80, 80, 20, 'mm'),

@@ -1,4 +1,7 @@
-/** The state in the address: what differs from the defaults, by name. What is read there is checked like a file. */
+/**
+ * The state in the address: what differs from the defaults, by name. What is read there is checked like a file, each entry for
+ * itself.
+ */
 import {
   CHOICE_KEYS,
   CHOICES,
@@ -13,7 +16,7 @@ import {
 
 interface FromHash {
   readonly state: FieldState;
-  /** what is wrong with the address, in words; the state is the default one then */
+  /** what is wrong with the address, in words: the first that is, and how much more */
   readonly problem: string | null;
 }
 
@@ -27,13 +30,14 @@ export function toHash(state: FieldState): string {
 
 export function fromHash(hash: string): FromHash {
   const state: Record<string, number | string> = { ...DEFAULT_STATE };
-  for (const [key, text] of new URLSearchParams(hash.replace(/^#/, ''))) {
-    const problem = read(state, key, text);
-    if (problem) return { state: DEFAULT_STATE, problem };
-  }
-  return { state: state as unknown as FieldState, problem: null };
+  const [first, ...more] = [...new URLSearchParams(hash.replace(/^#/, ''))].flatMap(
+    ([key, text]) => read(state, key, text) ?? [],
+  );
+  const problem = first && more.length > 0 ? `${first}, and ${more.length} more` : (first ?? null);
+  return { state: state as unknown as FieldState, problem };
 }
 
+/** Into `state`, where it is as it should be; or what is wrong, in words. */
 function read(state: Record<string, number | string>, key: string, text: string): string | null {
   if (Object.hasOwn(CHOICES, key)) {
     const { options }: ChoiceSpec = CHOICES[key as keyof typeof CHOICES];

@@ -3,12 +3,16 @@ import { html, nothing, type TemplateResult } from 'lit';
 import { kernelNamed } from '../../kernel/index.ts';
 import type { Shape } from '../../shape/index.ts';
 import { CHOICES, NUMBERS } from './fieldState.ts';
+import { FIELD_WORDS } from './fieldWords.ts';
 import { KERNEL_CAPTIONS, kernelPicture, skeletonPicture } from './pictograms.ts';
 import { type Desk, segment, select, slider, tiles } from './rows.ts';
+import { hasPlate } from './skeletons.ts';
 import { examplesOf, firstWeight, hasTwoEnds, ordinatesOf, paramsOf } from './tree.ts';
 
 const section = (title: string, body: unknown) =>
   html`<section aria-label=${title}><h3>${title}</h3>${body}</section>`;
+
+const note = (words: string) => html`<p class="note">${words}</p>`;
 
 /** `gpu`: there is a device to evaluate on. */
 export function controls(desk: Desk, gpu: boolean): TemplateResult {
@@ -25,6 +29,7 @@ function skeleton(desk: Desk): TemplateResult {
   return html`${tiles(desk, 'skeleton', 3, skeletonPicture)}
     ${segment(byDesk(desk), 'by')}
     ${state.by === 'radius' ? radii.map((key) => slider(desk, key)) : slider(desk, 'weight')}
+    ${state.by === 'radius' && state.kernel === 'inverse' ? note(FIELD_WORDS.inverse) : nothing}
     ${hasDegree ? segment(desk, 'degree') : nothing} ${ordinates.map((key) => slider(desk, key))}
     ${slider(desk, 'T')}`;
 }
@@ -55,7 +60,7 @@ function kernel(desk: Desk): TemplateResult {
   const hasWidth = params.some(({ name }) => name !== 'n');
   const shown = params.filter(({ name }) => name === 'n' || state.width === 'own');
   return html`${tiles(desk, 'kernel', 4, kernelPicture, (id, name) => KERNEL_CAPTIONS[id] ?? name)}
-    ${hasWidth ? segment(widthDesk(desk), 'width') : html`<p class="note">It has no width: only weights and T count.</p>`}
+    ${hasWidth ? segment(widthDesk(desk), 'width') : note(FIELD_WORDS.noWidth)}
     ${shown.map(({ name }) => slider(desk, name))}`;
 }
 
@@ -77,11 +82,12 @@ function fittedWidth({ state }: Desk): Partial<Desk['state']> {
 }
 
 function crossSection(desk: Desk): TemplateResult {
-  const { section: kind } = desk.state;
+  const { section: kind, skeleton } = desk.state;
   return html`${tiles(desk, 'section', 2, () => nothing)}
     ${kind === 'superQuadric' ? slider(desk, 'alpha') : nothing}
     ${kind === 'extrusion' ? slider(desk, 'edge') : nothing}
     ${kind === 'polar' ? segment(desk, 'profile', false) : nothing}
+    ${kind !== 'round' && hasPlate(skeleton) ? note(FIELD_WORDS.plateSection) : nothing}
     ${slider(desk, 'betaX')} ${slider(desk, kind === 'extrusion' ? 'thickness' : 'betaY')}`;
 }
 

@@ -14,11 +14,11 @@ import { PAPER_OF, reducedMotion, themeOf, watchPixelRatio, watchSystem } from '
 import { tokens } from '../tokens.ts';
 import { viewBall } from '../viewBall.ts';
 import { NO_PICTURE } from '../words.ts';
-import { dock, notice, statusLine, topBar } from './chrome.ts';
+import { dock, statusLine, topBar } from './chrome.ts';
 import { FieldBody } from './fieldBody.ts';
 import { FieldHands } from './fieldHands.ts';
 import { fieldLayout } from './fieldLayout.ts';
-import { FieldStage } from './fieldStage.ts';
+import { FieldStage, type Fit } from './fieldStage.ts';
 import { CHOICES, DEFAULT_STATE, type FieldState } from './fieldState.ts';
 import { FIELD_WORDS } from './fieldWords.ts';
 import { fromHash, toHash } from './hash.ts';
@@ -48,13 +48,15 @@ export class RotundField extends LitElement {
   #stop = new AbortController();
   #viewKey = '';
   #writing: ReturnType<typeof setTimeout> | undefined;
-  /** the next body is to fill the picture */
-  #fitNext = true;
+  /** the next body's */
+  #fit: Fit = 'always';
   /** a passing word of the status line */
   said = '';
   /** what is wrong with the address */
   #badAddress: string | null = null;
   #noPicture: string | null = null;
+  /** problems that were read and closed, while they last */
+  #closed: readonly string[] = [];
 
   constructor() {
     super();
@@ -157,10 +159,14 @@ export class RotundField extends LitElement {
     const dock = this.#find<HTMLElement>('.dock');
     const narrow = dock.clientWidth > width / 2;
     const right = narrow ? 0.06 : (dock.clientWidth + 48) / width;
-    const bottom = narrow ? Math.min((dock.clientHeight + 76) / height, 0.62) : 0.14;
+    // px: the status line, and air
+    const below = 84;
+    const bottom = narrow
+      ? Math.min((dock.clientHeight + below) / height, 0.62)
+      : Math.max(below / height, 0.14);
     return {
       left: narrow ? 0.06 : 0.05,
-      top: Math.min(92 / height, 0.2),
+      top: Math.min(92 / height, 0.24),
       right: Math.min(right, 0.5),
       bottom,
     };
@@ -198,9 +204,13 @@ export class RotundField extends LitElement {
 
   #changed(before: FieldState): void {
     if (before.style !== this.state.style) this.stage.setLook({ style: this.state.style as Style });
-    if (before.skeleton !== this.state.skeleton) this.#fitNext = true;
-    const { style: _, ...rest } = this.state;
-    if (Object.entries(rest).some(([key, value]) => before[key as keyof FieldState] !== value)) this.#make();
+    const { style: _, ...body } = this.state;
+    const changed = (Object.keys(body) as (keyof typeof body)[]).filter((key) => before[key] !== body[key]);
+    if (changed.length === 0) return;
+    if (changed.includes('skeleton')) this.#fit = 'always';
+    // under a slider the picture stays as it is
+    else if (this.#fit === 'never' && changed.some((key) => key in CHOICES)) this.#fit = 'covered';
+    this.#make();
   }
 
   #make(): void {
@@ -228,7 +238,7 @@ export class RotundField extends LitElement {
   #heard(): void {
     const { made } = this.body;
     // a draft may lack what is thin: what comes after it is fitted once more
-    if (made && this.stage.show(made.mesh, this.#fitNext) && !made.draft) this.#fitNext = false;
+    if (made && this.stage.show(made.mesh, this.#fit) && !made.draft) this.#fit = 'never';
     this.requestUpdate();
   }
 
@@ -259,22 +269,45 @@ export class RotundField extends LitElement {
   reset(): void {
     const { style, where } = this.state;
     this.set({ ...DEFAULT_STATE, style, where });
+    if (this.body.progress !== null) this.#fit = 'always';
     this.stage.reset();
     this.#say(FIELD_WORDS.reset);
   }
 
   fold(): void {
     this.folded = !this.folded;
-    void this.updateComplete.then(() => this.stage.showAll(true));
+    void this.updateComplete.then(() => this.showAll());
+  }
+
+  showAll(): void {
+    this.stage.showAll(true);
+  }
+
+  get problem(): string | null {
+    return this.#problems.find((problem) => !this.#closed.includes(problem)) ?? null;
+  }
+
+  close(): void {
+    this.#closed = this.problem ? [...this.#closed, this.problem] : [];
+    // the button goes, and the focus must not go with it
+    this.#find<HTMLElement>('.stage').focus();
+    this.requestUpdate();
   }
 
   /** In words: there is no picture, no body, or no sense in the address. */
-  get problem(): string | null {
-    if (this.#noPicture !== null) return `${NO_PICTURE.missing} ${NO_PICTURE.why(this.#noPicture)}`;
-    return this.body.problem ?? (this.#badAddress && FIELD_WORDS.badAddress(this.#badAddress));
+  get #problems(): readonly string[] {
+    const picture =
+      this.#noPicture === null ? [] : `${NO_PICTURE.missing} ${NO_PICTURE.why(this.#noPicture)}`;
+    const address = this.#badAddress === null ? [] : FIELD_WORDS.badAddress(this.#badAddress);
+    return [picture, this.body.problem ?? [], address].flat();
   }
 
   // ── drawing ─────────────────────────────────────────────────────────────────────────────────────────
+
+  protected override willUpdate(): void {
+    const problems = this.#problems;
+    this.#closed = this.#closed.filter((problem) => problems.includes(problem));
+  }
 
   protected override render(): TemplateResult {
     const { made } = this.body;
@@ -283,7 +316,7 @@ export class RotundField extends LitElement {
         <canvas class="picture"></canvas>
       </div>
       <span id="keys" class="hidden">Arrow keys turn, plus and minus zoom, Home shows everything, 0 goes back to the first view, 1 to 4 are styles, W shows the triangles.</span>
-      ${topBar(this)} ${dock(this)} ${statusLine(this)} ${viewBall(this.stage.view, this.#hands.ball())} ${notice(this.problem)}
+      ${topBar(this)} ${dock(this)} ${statusLine(this)} ${viewBall(this.stage.view, this.#hands.ball())}
     </div>`;
   }
 

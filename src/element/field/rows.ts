@@ -13,6 +13,7 @@ import {
   type NumberSpec,
   toSlider,
 } from './fieldState.ts';
+import { HELP } from './help.ts';
 
 /** What the controls act on. */
 export interface Desk {
@@ -38,11 +39,17 @@ export function slider(desk: Desk, key: NumberKey): TemplateResult {
   const place = Math.round(toSlider(of, value) * steps);
   const moved = (event: Event) =>
     desk.set({ [key]: fromSlider(of, Number((event.target as HTMLInputElement).value) / steps) });
+  const reset = () => desk.set({ [key]: of.default });
+  const pressed = (event: KeyboardEvent) => {
+    if (event.key !== 'Delete' && event.key !== 'Backspace') return;
+    event.preventDefault();
+    reset();
+  };
   return html`<div class="number">
     <label for=${key}>${of.label}</label><span class="value" aria-hidden="true">${written(of, value)}</span>
     <input id=${key} type="range" min="0" max=${steps} step="1" aria-valuetext=${written(of, value)}
-      title="Double-click: ${written(of, of.default)}" style="--fill:${(100 * place) / steps}%"
-      .value=${live(String(place))} @input=${moved} @dblclick=${() => desk.set({ [key]: of.default })} />
+      title="${HELP[key]}. Double-click or Delete: ${written(of, of.default)}" style="--fill:${(100 * place) / steps}%"
+      .value=${live(String(place))} @input=${moved} @dblclick=${reset} @keydown=${pressed} />
   </div>`;
 }
 

@@ -177,3 +177,6 @@ export const SKELETONS: Readonly<Record<string, () => readonly Piece[]>> = {
   concave: () => [{ type: 'plate', loops: [star], radius: NOMINAL, colour: PAINT.pear }],
   holed: () => [{ type: 'plate', loops: [frame, circle(24, () => 26)], radius: NOMINAL, colour: PAINT.wood }],
 };
+
+export const hasPlate = (skeleton: string): boolean =>
+  SKELETONS[skeleton]!().some(({ type }) => type === 'plate');

@@ -47,8 +47,8 @@ describe('address', () => {
     ['#radius=1000', /radius is a number from 2 to 60; found “1000”/],
     ['#radius=', /radius is a number/],
     ['#T=NaN', /T is a multiple/],
-    ['#T=Infinity', /T is a multiple of 0.25 from 0 to 20; found “Infinity”/],
-    ['#operation=union&example=0.5', /example is a multiple of 1 from 0 to 9; found “0.5”/],
+    ['#T=Infinity', /T is a multiple of 0.25 from 0.25 to 20; found “Infinity”/],
+    ['#example=0.5', /example is a multiple of 1 from 0 to 9; found “0.5”/],
     ['#example=-1', /example is a multiple of 1 from 0 to 9/],
     ['#resolution=33', /resolution is a multiple of 8 from 16 to 256/],
     ['#carve=-0.12', /carve is a multiple of 0.05/],
@@ -58,8 +58,14 @@ describe('address', () => {
     ['#toString=1', /nothing here is called “toString”/],
     ['#__proto__=1', /nothing here is called “__proto__”/],
     [`#radius=${'9'.repeat(9999)}`, /found “9{24}…”/],
-  ])('%# %s is told in words, and the defaults stay', (hash, problem) => {
+  ])('%# %s is told in words, and the default stays', (hash, problem) => {
     expect(fromHash(hash)).toEqual({ state: DEFAULT_STATE, problem: expect.stringMatching(problem) });
+  });
+
+  test('what is understood holds, whatever is wrong beside it', () => {
+    const { state, problem } = fromHash('#radius=20&kernel=foo&skeleton=ring&s=&x=1');
+    expect(state).toEqual({ ...DEFAULT_STATE, radius: 20, skeleton: 'ring' });
+    expect(problem).toMatch(/^kernel is one of .*found “foo”, and 2 more$/);
   });
 });
 

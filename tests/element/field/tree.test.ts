@@ -35,6 +35,11 @@ describe.each(ids('skeleton'))('%s', (skeleton) => {
   });
 });
 
+test.each(ids('kernel'))('%s with the default width has a field of every skeleton', (kernel) => {
+  for (const skeleton of ids('skeleton'))
+    expect(field({ skeleton, kernel, width: 'own' }).box).not.toBeNull();
+});
+
 test.each(ids('shape'))('%s: each example under each operation', (shape) => {
   examplesOf(state({ shape })).forEach((_, example) => {
     for (const operation of ids('operation')) {
@@ -76,8 +81,7 @@ test('any state has a field, or says in words why not (seed 2)', () => {
   fc.assert(
     fc.property(states, (any) => {
       try {
-        // T = 0, at the slider's end, has no field of anything
-        bindField(treeOf({ ...any, T: any.T || 1 }));
+        bindField(treeOf(any));
         fields++;
       } catch (error) {
         expect(error).toBeInstanceOf(FieldError);
