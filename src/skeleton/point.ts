@@ -6,9 +6,10 @@
 import type { Kernel, KernelParams } from '../kernel/kernel.ts';
 import { pow } from '../math/pow.ts';
 import { checkedParams, checkNumbers, checkPlaces, reach, whole } from './binding.ts';
+import { standInOf } from './sight.ts';
 import type { FieldValue, Skeleton, SkelField } from './skeleton.ts';
 import type { PointSkel } from './skels.ts';
-import { Spreader, standInOf } from './spread.ts';
+import { Spreader } from './spread.ts';
 
 export const point: Skeleton<PointSkel> = { name: 'point', bind };
 

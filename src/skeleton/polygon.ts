@@ -15,9 +15,10 @@ import { boxOf } from './boxOf.ts';
 import { CIRCLE, NEXT, outlineOf, STRIDE } from './outline.ts';
 import { plateDistance } from './plateDistance.ts';
 import { type Region, regionOf } from './region.ts';
+import { standInOf } from './sight.ts';
 import { FieldError, type FieldValue, type Skeleton, type SkelField } from './skeleton.ts';
 import type { PolygonSkel } from './skels.ts';
-import { Spreader, standInOf } from './spread.ts';
+import { Spreader } from './spread.ts';
 
 export const polygon: Skeleton<PolygonSkel> = { name: 'polygon', bind };
 

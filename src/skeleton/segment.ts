@@ -10,6 +10,7 @@ import type { Vec3 } from '../math/vec.ts';
 import { checkedParams, checkNumbers, checkPlaces, reach, SHORTEST, whole } from './binding.ts';
 import { boxOf } from './boxOf.ts';
 import { segmentSpreader } from './segmentSpread.ts';
+import { standInOf } from './sight.ts';
 import {
   type Box,
   FieldError,
@@ -19,7 +20,7 @@ import {
   type Spread,
 } from './skeleton.ts';
 import type { SegmentSkel } from './skels.ts';
-import { type Spreader, standInOf } from './spread.ts';
+import type { Spreader } from './spread.ts';
 
 export const segment: Skeleton<SegmentSkel> = { name: 'segment', bind };
 

@@ -6,9 +6,10 @@
  * says less than the interval, and is replaced by it: the middle, no gradient, half the width. So one near skel does not spoil
  * a sum of far ones.
  */
-import { type AbsoluteChange, type Dimension, type RelativeChange, Step } from '../kernel/change.ts';
+import { type AbsoluteChange, type RelativeChange, Step } from '../kernel/change.ts';
 import type { Kernel } from '../kernel/kernel.ts';
 import { mostOfLine, mostOfPlate } from '../kernel/most.ts';
+import { type Extent, type See, Sight } from './sight.ts';
 import type { FieldValue, Spread } from './skeleton.ts';
 
 /** of the largest field there; values are good to 1e-12 of it */
@@ -27,36 +28,6 @@ const EVEN = 100;
 interface Adding {
   add(x: number, y: number, z: number, factor: number, out: FieldValue): void;
 }
-
-/** What bounds need to know of a skel, kernel units. */
-export interface Extent {
-  readonly dimension: Dimension;
-  /** length or area, as often as it is gone round; 1 for points */
-  readonly size: number;
-  readonly turns: number;
-  /** a bound on |w| */
-  readonly most: number;
-  /** 1 or −1 where w has one sign, else 0 */
-  readonly sign: number;
-  /** the largest |w| over the least, Infinity where that is not known */
-  readonly evenness: number;
-}
-
-/** A skel seen from the centre of a ball; kernel units. Mutable: filled again for each ball. */
-export class Sight {
-  /** of the skel, not more than it is */
-  distance = 0.5;
-  /** whether the whole ball is where singular kernels are not clamped: off the line of a segment, off the plane of a plate */
-  isClear = true;
-  /** of values: what sums over edges leave of the field elsewhere */
-  slack = 0.5;
-}
-
-/** What stands for skels of a kernel from afar. */
-export const standInOf = ({ change }: Kernel) => (change.type === 'relative' ? 'quadratic' : 'nothing');
-
-/** What each kind of skel brings: fills the sight of it from the ball about (x, y, z), mm. */
-export type See = (x: number, y: number, z: number, radius: number, sight: Sight) => void;
 
 const sight = new Sight();
 const step = new Step();
