@@ -9,6 +9,10 @@ import { weightRange } from './weightRange.ts';
 /** of the length: what a distance from the axis loses when it is made orthogonal once */
 const BLUR = 2e-15;
 
+/** lengths from which on places on the segment, and so their weights, are off by the last digits of the distance */
+const DISTANT = 1e3;
+const STRAY = 1e-14;
+
 /** `a` (mm) and `u`: the first end and the direction; `per`: kernel units of a millimetre. */
 export function segmentSpreader(
   kernel: Kernel,
@@ -21,7 +25,7 @@ export function segmentSpreader(
   const extent = { dimension: 1, size: length, turns: 1, ...weightRange(frame) } as const;
   // twice the distance at which a line is clamped
   const clear = 2 * Math.sqrt(floor2);
-  return new Spreader(kernel, exponent, extent, per, (x, y, z, radius, sight) => {
+  const spreader = new Spreader(kernel, exponent, extent, per, (x, y, z, radius, sight) => {
     const vx = (x - a[0]!) * per;
     const vy = (y - a[1]!) * per;
     const vz = (z - a[2]!) * per;
@@ -31,7 +35,11 @@ export function segmentSpreader(
     sight.distance = Math.max(away(vx, vy, vz, nearest, u) - BLUR * length, 0);
     sight.isClear = room >= clear;
     sight.slack = 0;
+    if (!(sight.distance > DISTANT * length)) return;
+    const near = Math.max(sight.distance - radius * per, 0);
+    sight.slack = STRAY * (sight.distance / length) * spreader.most(near * near);
   });
+  return spreader;
 }
 
 /** From a place on the line. */
