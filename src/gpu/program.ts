@@ -4,9 +4,9 @@
  * A step takes a leaf and joins it to the result so far; only a subtree on the right of an operation puts that aside. The
  * heavier operand comes first (Sethi & Ullman 1970), so that n leaves need log₂ n places on the stack at most.
  *
- * Tried instead: straight-line WGSL generated for each structure (tests/bench/straightTree.ts). It is 5–35 % faster once it
- * runs, and compiles again whenever a part comes or goes: with 32 bodies 11 s on SwiftShader and over two minutes on
- * lavapipe, where the program takes a third to two thirds of a second, once (docs/performance.md).
+ * Tried instead: straight-line WGSL generated for each structure (tests/bench/straightTree.ts). It is up to 1.4 times as fast on
+ * SwiftShader and no faster on lavapipe, and compiles again whenever a part comes or goes: with 32 bodies for 11 s and 160 s,
+ * where the program takes 0.2 s and 0.7 s, once (docs/performance.md).
  */
 import { type Affine, composed, IDENTITY, inverted, stretches } from '../field/affine.ts';
 import { bindField, PLAIN } from '../field/bind.ts';
