@@ -4,6 +4,8 @@
  */
 import type { Box, FieldValue } from '../skeleton/skeleton.ts';
 import { meet, unite } from './boxes.ts';
+import { type Near, nearOf } from './near.ts';
+import { NearSet } from './nearSet.ts';
 import type { Operation } from './operation.ts';
 import type { TreeField } from './treeField.ts';
 
@@ -102,6 +104,10 @@ class Combined implements TreeField {
       this.#operation.range(out, other, out);
       signed(this.#outer, out);
     }
+  }
+
+  near(): Near {
+    return new NearSet([this.#first, ...this.#rest].map(nearOf), this.#operation, this.#kind);
   }
 
   boxAbove(level: number): Box | null {

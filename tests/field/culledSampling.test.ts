@@ -14,7 +14,7 @@ import type { SegmentSkel } from '../../src/skeleton/skels.ts';
 import { random } from '../fixtures/random.ts';
 import { Lot } from './lot.ts';
 import { randomTree } from './randomTrees.ts';
-import { body, type Point, points } from './trees.ts';
+import { body, type Point, placed, points } from './trees.ts';
 
 function finished<T>(steps: Generator<number, T>): T {
   for (;;) {
@@ -123,6 +123,42 @@ describe('culled lattices', () => {
         [x, y, z] = [x + within(half / 2), y + within(half / 2), z + within(half / 2)];
       }
       expect(near.asked).toBeLessThan(40);
+    }
+  });
+});
+
+describe('a union of bodies', () => {
+  test('asks those that are near (seed 81)', () => {
+    const parts = Array.from({ length: 12 }, (_, i) =>
+      placed(chain(6, 81 + i), 15 * (i % 4), 15 * Math.floor(i / 4), 0),
+    );
+    for (const type of ['union', 'subtraction'] as const) {
+      const field = bindField({ type, form: 'hard', parts });
+      const asked = { values: 0, spreads: 0 };
+      const lattice = latticeAround(finished(fitting(field, field.box!))!, 64);
+      const few = finished(culledSampling(counted(field, asked), lattice));
+      const every = finished(sampling(field, lattice));
+      expect(few.every((value, at) => value > 0 === every[at]! > 0)).toBe(true);
+      expect(asked.values).toBeLessThan(0.1 * 12 * nodeCount(lattice));
+    }
+  });
+
+  test('is within what its parts neglect, and its range holds (40 trees, seed 82)', () => {
+    const lot = new Lot(82);
+    for (let i = 0; i < 40; i++) {
+      const field = bindField(randomTree(lot, 3));
+      let near = nearOf(field);
+      for (let half = 8; half > 0.3; half /= 2) {
+        near = near.within(0.3, 0.2, 0.1, half, 0.01 / half);
+        for (const [x, y, z] of points(20, 1, 83)) {
+          const p = [0.3 + half * x, 0.2 + half * y, 0.1 + half * z] as const;
+          const exact = field.value(...p);
+          const slack = 1e-9 * (1 + Math.abs(exact));
+          expect(Math.abs(near.value(...p) - exact)).toBeLessThanOrEqual(near.error + slack);
+          expect(exact).toBeGreaterThanOrEqual(near.low - slack);
+          expect(exact).toBeLessThanOrEqual(near.high + slack);
+        }
+      }
     }
   });
 });
