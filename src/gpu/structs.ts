@@ -1,6 +1,7 @@
 /**
  * The records of a field on the GPU, declared once: packed by heap.ts, generated into WGSL as record/segment and so on, each
- * with its loader. All lie in one buffer; what refers to another record holds the number of the 16 bytes it begins at.
+ * with its loader. All lie in one buffer (typed arrays are 1.7 times as fast on SwiftShader, but trees would need more bindings than
+ * WebGPU promises); what refers to another record holds the number of the 16 bytes it begins at.
  */
 import { record } from '../math/record.ts';
 
