@@ -31,6 +31,16 @@ const FACES = [
   }),
 }));
 
+/** Whether a cube with these corners inside has a face of which all four edges are crossed. */
+export const AMBIGUOUS = Uint8Array.from({ length: 256 }, (_, mask) =>
+  FACES.some(({ corners: [a, b, c, d] }) => {
+    const inside = (corner: number | undefined) => (mask >> corner!) & 1;
+    return inside(a) === inside(c) && inside(b) === inside(d) && inside(a) !== inside(b);
+  })
+    ? 1
+    : 0,
+);
+
 export class CubeLoops {
   /** loops so far, one after the other: edges in order, counter-clockwise seen from outside of the solid */
   readonly edges = new Uint8Array(MOST_CROSSINGS);
