@@ -10,6 +10,7 @@ import { type Backend, createRenderer, type SceneRenderer } from './renderer.ts'
 
 export type { DeviceDescription } from '../gpu/device.ts';
 export { CameraRig } from './cameraRig.ts';
+export type { DeviceMesh } from './deviceMesh.ts';
 export { type Background, DEFAULT_LOOK, type KernelChoice, type Look, type Style } from './look.ts';
 export type { SceneItem } from './part.ts';
 export type { Hit } from './pick.ts';
@@ -31,10 +32,13 @@ export interface Scene {
   /** Its first frame could not be drawn: another device of the same back end is of no use. */
   readonly useless: boolean;
   readonly rig: CameraRig;
-  /** of the last frame, over all passes */
+  /** of the last frame, over all passes; without meshes on the device, whose numbers only the device knows */
   readonly drawCalls: number;
   readonly triangles: number;
-  /** Puts in what is new, changes what changed, disposes what left; compares by reference. */
+  /**
+   * Puts in what is new, changes what changed, disposes what left; compares by reference. Throws, and changes nothing, where a mesh on the
+   * device cannot be drawn: on WebGL2, or for want of a usage of its buffers.
+   */
   sync(items: readonly SceneItem[]): void;
   setLook(look: Look): void;
   /** CSS pixels, and device pixels a CSS pixel */

@@ -17,13 +17,16 @@ import {
   Vector3,
 } from 'three/webgpu';
 import type { Mesh } from '../mesh/mesh.ts';
-import { displayColours, displayRgb } from './look.ts';
+import { type DeviceMesh, isOnDevice } from './deviceMesh.ts';
+import { displayRgb } from './look.ts';
+import type { Seam } from './seam.ts';
 import { MASK_ORDER } from './selection.ts';
 import type { Ball } from './view.ts';
 
 export interface SceneItem {
   readonly id: string;
-  readonly mesh: Mesh;
+  /** on WebGL2 arrays only */
+  readonly mesh: Mesh | DeviceMesh;
   /** #rrggbb, display sRGB; of previews, and where the mesh has no colours of its own */
   readonly colour: string;
   /** drawn lightly and without lines: not yet kept */
@@ -39,7 +42,7 @@ export interface Part extends Meshes {
 interface Meshes {
   /** in all the passes, and where each belongs */
   readonly meshes: ReadonlyMap<ThreeMesh, ThreeScene>;
-  /** those of the colour pass; a preview has none */
+  /** those of the colour pass; a preview has none, and a mesh on the device has no wires: three makes them from arrays */
   readonly fill: ThreeMesh | null;
   readonly wire: ThreeMesh | null;
   /** those of the selection's mask; a preview has none */
@@ -60,8 +63,8 @@ export interface PartMaterials {
 /** The style's material, for parts of one colour or painted ones; made when first asked for. */
 export type Fill = (painted: boolean) => Material;
 
-/** Meshes are only taken over by parts that are drawn with the same materials. */
-type Kind = 'kept' | 'painted' | 'preview';
+/** Meshes are only taken over by parts that are drawn with the same materials, from the same sort of arrays. */
+type Kind = 'kept' | 'painted' | 'preview' | 'painted on the device' | 'preview on the device';
 
 /** One three scene a pass, so that a pass is a list of what it draws and nothing is switched on and off. */
 export class Parts {
@@ -73,14 +76,16 @@ export class Parts {
   readonly sphere = new Sphere(new Vector3(), 0);
   readonly #parts = new Map<string, Part>();
   readonly #materials: PartMaterials;
+  readonly #seam: Seam;
   /** meshes without a part, of kept ones and of previews */
   readonly #spare = new Map<Kind, Meshes>();
   #fill: Fill;
   #wireframe = false;
   #selected: ReadonlySet<string> = new Set();
 
-  constructor(materials: PartMaterials, fill: Fill) {
+  constructor(materials: PartMaterials, fill: Fill, seam: Seam) {
     this.#materials = materials;
+    this.#seam = seam;
     this.#fill = fill;
   }
 
@@ -106,8 +111,12 @@ export class Parts {
     return radius > 0 ? { centre: center.toArray(), radius } : null;
   }
 
-  /** Returns whether geometry or what is a preview changed, in other words whether lines and bounds did. */
+  /**
+   * Returns whether geometry or what is a preview changed, in other words whether lines and bounds did. Throws, and changes nothing,
+   * where a mesh on the device cannot be drawn.
+   */
   sync(items: readonly SceneItem[]): boolean {
+    for (const { mesh } of items) if (isOnDevice(mesh)) this.#seam.check(mesh);
     let changed = false;
     const wanted = new Set(items.map((item) => item.id));
     for (const [id, part] of this.#parts) {
@@ -148,7 +157,7 @@ export class Parts {
       return false;
     }
     if (old) this.#remove(old);
-    const geometry = toGeometry(item);
+    const geometry = this.#geometry(item);
     const part = { item, geometry, ...this.#meshes(kindOf(item)) };
     for (const [mesh, scene] of part.meshes) {
       mesh.geometry = geometry;
@@ -175,19 +184,29 @@ export class Parts {
   #meshes(kind: Kind): Meshes {
     const spare = this.#spare.get(kind);
     this.#spare.delete(kind);
-    return spare ?? (kind === 'preview' ? this.#lightly() : this.#fully(kind === 'painted'));
+    if (spare) return spare;
+    return kind.startsWith('preview')
+      ? this.#lightly()
+      : this.#fully(kind !== 'kept', !kind.endsWith('device'));
   }
 
-  #fully(painted: boolean): Meshes {
+  #geometry(item: SceneItem): BufferGeometry {
+    const { mesh, preview, id } = item;
+    const geometry = isOnDevice(mesh) ? this.#seam.geometry(mesh, !preview) : toGeometry(mesh, !preview);
+    geometry.name = id;
+    return geometry;
+  }
+
+  #fully(painted: boolean, wired: boolean): Meshes {
     const fill = drawn(this.#fill(painted));
     // before the grid, which is blended over what is there
-    const wire = drawn(this.#materials.wire, 1);
+    const wire = wired ? drawn(this.#materials.wire, 1) : null;
     const silhouette = drawn(this.#materials.silhouette, MASK_ORDER.silhouette);
     const mask = drawn(this.#materials.occluder);
     const meshes = new Map([
       [drawn(this.#materials.line), this.lines],
       [fill, this.colour],
-      [wire, this.colour],
+      ...(wire ? ([[wire, this.colour]] as const) : []),
       [drawn(this.#materials.occluder), this.preview],
       [silhouette, this.selection],
       [mask, this.selection],
@@ -212,7 +231,8 @@ export class Parts {
 
   #remove({ item, geometry, ...meshes }: Part): void {
     for (const mesh of meshes.meshes.keys()) mesh.removeFromParent();
-    geometry.dispose();
+    if (isOnDevice(item.mesh)) this.#seam.end(geometry);
+    else geometry.dispose();
     this.#parts.delete(item.id);
     const kind = kindOf(item);
     if (this.#spare.has(kind)) end(meshes.meshes);
@@ -231,7 +251,10 @@ export class Parts {
 
 const isPainted = ({ mesh }: SceneItem): boolean => mesh.colours !== undefined;
 
-const kindOf = (item: SceneItem): Kind => (item.preview ? 'preview' : isPainted(item) ? 'painted' : 'kept');
+function kindOf(item: SceneItem): Kind {
+  const kind = item.preview ? 'preview' : isPainted(item) ? 'painted' : 'kept';
+  return isOnDevice(item.mesh) && kind !== 'kept' ? `${kind} on the device` : kind;
+}
 
 function named(name: string): ThreeScene {
   const scene = new ThreeScene();
@@ -253,14 +276,11 @@ function end(meshes: Meshes['meshes']): void {
     (mesh as EventDispatcher<{ dispose: object }>).dispatchEvent({ type: 'dispose' });
 }
 
-function toGeometry(item: SceneItem): BufferGeometry {
+function toGeometry({ positions, normals, indices, colours }: Mesh, painted: boolean): BufferGeometry {
   const geometry = new BufferGeometry();
-  geometry.name = item.id;
-  const { positions, normals, indices, colours } = item.mesh;
   geometry.setAttribute('position', new BufferAttribute(positions, 3));
   geometry.setAttribute('normal', new BufferAttribute(normals, 3));
-  if (colours && !item.preview)
-    geometry.setAttribute('colour', new BufferAttribute(displayColours(colours), 3));
+  if (colours && painted) geometry.setAttribute('colour', new BufferAttribute(colours, 3));
   geometry.setIndex(new BufferAttribute(indices, 1));
   geometry.computeBoundingSphere();
   return geometry;

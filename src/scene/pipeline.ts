@@ -32,6 +32,7 @@ import { Materials } from './materials.ts';
 import { PageUniforms } from './page.ts';
 import { GRAIN, makeGrain } from './paper.ts';
 import { type Fill, Parts } from './part.ts';
+import { Seam } from './seam.ts';
 import { SelectionUniforms } from './selection.ts';
 import { makeTargets } from './targets.ts';
 
@@ -85,7 +86,7 @@ export class Pipeline {
     this.#grain = makeGrain(renderer);
     const uniforms = { lines: this.#lines, ink: this.#ink, page: this.#page, selection: this.#selection };
     this.#materials = new Materials(uniforms, this.#targets, this.#grain.texture);
-    this.parts = new Parts(this.#materials, this.#fill('toon'));
+    this.parts = new Parts(this.#materials, this.#fill('toon'), new Seam(renderer));
     this.#quad = new QuadMesh(this.#materials.occluder);
     this.parts.colour.add(this.#grid.mesh);
     this.setLook(DEFAULT_LOOK);
