@@ -1,7 +1,7 @@
 /**
- * Makes the bodies of fields beside the page. The latest wish wins: work is cut into slices, between which messages are heard,
- * and what is no longer wanted is given up. A coarse draft comes first and is finished as long as anything is wanted, so
- * that a slider that is being dragged is followed.
+ * Makes the bodies of fields beside the page, coarse ones first, each of which stays on the page until the next is whole. The latest
+ * wish wins: work is cut into slices, between which messages are heard, and what is no longer wanted is given up. Only the
+ * coarsest is finished as long as anything is wanted, so that a slider that is being dragged is followed.
  */
 import { bindField } from '../field/bind.ts';
 import { culledSampling } from '../field/culledSampling.ts';
@@ -20,7 +20,7 @@ interface Scope {
 const SLICE = 12;
 /** cells: 20 000 values, some 20 ms for a dozen skels */
 const DRAFT = 28;
-/** a draft of less than this share of the wanted cells is worth its time */
+/** a draft of less than this share of the cells that come after it is worth its time */
 const COARSER = 0.6;
 
 const scope = self as unknown as Scope;
@@ -62,13 +62,11 @@ async function work(): Promise<void> {
 async function make({ id, node, resolution, values }: Make): Promise<void> {
   const field = bindField(node);
   const isLatest = () => id === latest;
-  if (values === 'worker' && DRAFT < COARSER * resolution) {
+  const drafts = values === 'worker' ? draftsBefore(resolution) : [];
+  for (const [i, cells] of drafts.entries()) {
+    const wanted = () => isLatest() || (i === 0 && wish !== null);
     const start = performance.now();
-    const draft = await sliced(
-      id,
-      polygonizing(field, DRAFT, culledSampling),
-      () => isLatest() || wish !== null,
-    );
+    const draft = await sliced(id, polygonizing(field, cells, culledSampling), wanted);
     if (draft) hand(id, true, draft, null, start);
     if (!isLatest()) return;
   }
@@ -77,6 +75,13 @@ async function make({ id, node, resolution, values }: Make): Promise<void> {
   const sampler = values === 'page' ? fromPage(id, (found) => (difference = found)) : culledSampling;
   const made = await sliced(id, polygonizing(field, resolution, sampler), isLatest);
   if (made) hand(id, false, made, difference, start);
+}
+
+/** Cells of what is shown on the way: some, then half as many as in the end, a quarter of the work. */
+function draftsBefore(resolution: number): readonly number[] {
+  const half = Math.round(resolution / 2);
+  if (DRAFT < COARSER * half) return [DRAFT, half];
+  return DRAFT < COARSER * resolution ? [DRAFT] : [];
 }
 
 /** Null when it was given up. */
