@@ -135,6 +135,7 @@ test('the scene destroys no buffer that is not its own, and leaves none', async 
   await picture({ style: 'hbed-ink' });
   expect(await page.evaluate(() => window.count.resources)).toBe(before);
   const left = await page.evaluate(async () => {
+    window.stage.keep();
     window.stage.dispose();
     await new Promise((done) => setTimeout(done));
     return { ...window.count };

@@ -24,9 +24,11 @@ export interface DeviceStage {
   halve(): Promise<void>;
   /** The same with arrays. */
   showHalf(): void;
-  /** Data address of a PNG. */
-  picture(look: Partial<Look>): string;
+  /** Data address of a PNG; without a look in the last one. */
+  picture(look?: Partial<Look>): string;
   pick(x: number, y: number): Hit | null;
+  keep(): boolean;
+  fade(share: number): void;
   /** Vertices, indices and draw counts that went up while `work` ran, bytes. */
   upwards(work: () => void): number;
   /** Whether the body's buffers can still be read on the device. */
@@ -162,8 +164,8 @@ class Stage implements DeviceStage {
     this.#sync(half(this.#mesh));
   }
 
-  picture(look: Partial<Look>): string {
-    this.#scene.setLook({ ...DEFAULT_LOOK, ...look });
+  picture(look?: Partial<Look>): string {
+    if (look) this.#scene.setLook({ ...DEFAULT_LOOK, ...look });
     this.#scene.render();
     const copy = document.createElement('canvas');
     copy.width = copy.height = SIZE;
@@ -174,6 +176,14 @@ class Stage implements DeviceStage {
 
   pick(x: number, y: number): Hit | null {
     return this.#scene.pick(x, y);
+  }
+
+  keep(): boolean {
+    return this.#scene.keep();
+  }
+
+  fade(share: number): void {
+    this.#scene.fade(share);
   }
 
   upwards(work: () => void): number {

@@ -47,6 +47,13 @@ export interface Scene {
   pick(x: number, y: number, except?: readonly string[]): Hit | null;
   /** One frame, now. */
   render(): void;
+  /**
+   * Keeps the picture of the last frame: it lies over the frames to come, as `fade` says, until the look or the size changes.
+   * False where there is none.
+   */
+  keep(): boolean;
+  /** How much is seen of the picture that is kept, 0–1; at 0 it goes. */
+  fade(share: number): void;
   /** The parts with a blue contour. */
   select(ids: readonly string[]): void;
   /**
@@ -140,6 +147,10 @@ function makeScene(made: SceneRenderer, options: SceneOptions): Scene {
       // What the self-test did not find out shows at the first frame.
       else made.watched(async () => draw()).catch(fail);
       if (drawing === 'not yet') drawing = 'begun';
+    },
+    keep: () => made.gone === null && drawing === 'begun' && pipeline.keep(),
+    fade(share) {
+      pipeline.fade = share;
     },
     select: (ids) => pipeline.parts.select(ids),
     picture: (wanted) => takePicture(made, () => (studio ??= new Studio(made)), wanted),

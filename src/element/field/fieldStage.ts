@@ -28,6 +28,11 @@ const longest = ({ min, max }: Box): number => Math.max(max[0] - min[0], max[1] 
 /** Whether a body is to fill the picture: always; where it grows under the controls; where it is of quite another size. */
 export type Fit = 'always' | 'covered' | 'never';
 
+/** ms in which a body goes over into a finer one of itself */
+const FADE = 120;
+/** ms from one frame to the next, for the first one of them */
+const FRAME = 16;
+
 export class FieldStage {
   scene: Scene | null = null;
   /** of the picture, that the controls cover */
@@ -43,6 +48,8 @@ export class FieldStage {
   #fit = true;
   #frame = 0;
   #last = 0;
+  /** from when on, and in which view, the body before is going; null: it is gone */
+  #fading: { from: number | null; readonly view: string } | null = null;
 
   /** `drawn` is called after each frame. */
   constructor(look: Look, drawn: () => void) {
@@ -68,6 +75,7 @@ export class FieldStage {
   }
 
   detach(): void {
+    this.#fading = null;
     cancelAnimationFrame(this.#frame);
     this.#frame = 0;
     this.#view = this.view;
@@ -88,9 +96,10 @@ export class FieldStage {
     this.wake();
   }
 
-  /** False where it is there already. */
-  show(mesh: FieldMesh, fit: Fit): boolean {
+  /** False where it is there already. What `refines` the body before it comes gently. */
+  show(mesh: FieldMesh, fit: Fit, refines = false): boolean {
     if (mesh === this.#mesh) return false;
+    this.#beginFading(refines);
     const wasFree = fit === 'covered' && this.#isFree;
     this.#mesh = mesh;
     this.#box = mesh.indices.length > 0 ? bounds(mesh) : null;
@@ -140,13 +149,36 @@ export class FieldStage {
     this.wake();
   }
 
+  /** Not where motion is unwelcome or a frame takes a tenth of a second, and of nothing that was not yet seen. */
+  #beginFading(refines: boolean): void {
+    const { scene } = this;
+    this.#fading = null;
+    if (!scene || !refines || this.#frame || scene.rig.reducedMotion || scene.description?.software) return;
+    if (scene.keep()) this.#fading = { from: null, view: this.#viewKey };
+  }
+
+  /** How much is seen of the body before: a picture, which is of one view only. */
+  #fadingAt(now: number): number {
+    const fading = this.#fading;
+    if (fading?.view !== this.#viewKey) return 0;
+    fading.from ??= now - FRAME;
+    return Math.max(0, 1 - (now - fading.from) / FADE);
+  }
+
+  get #viewKey(): string {
+    return JSON.stringify(this.view);
+  }
+
   #tick(now: number): void {
     this.#frame = 0;
     const seconds = Math.min(0.1, (now - this.#last) / 1000);
     this.#last = now;
     const moving = this.scene?.rig.update(seconds) ?? false;
+    const share = this.#fadingAt(now);
+    if (share === 0) this.#fading = null;
+    this.scene?.fade(share);
     this.scene?.render();
     this.#drawn();
-    if (moving) this.wake();
+    if (moving || share > 0) this.wake();
   }
 }
