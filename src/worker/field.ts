@@ -6,7 +6,7 @@
 import { bindField } from '../field/bind.ts';
 import { culledSampling } from '../field/culledSampling.ts';
 import type { FromWorker, Make, ToWorker } from '../field/fieldWork.ts';
-import { type Lattice, type LatticeValues, largestDifference } from '../field/lattice.ts';
+import { type Lattice, type LatticeValues, largestDifference, nodeCount } from '../field/lattice.ts';
 import { type Polygonized, polygonizing, type Sampler } from '../field/polygonize.ts';
 import type { TreeField } from '../field/treeField.ts';
 
@@ -71,10 +71,11 @@ async function make({ id, node, resolution, values }: Make): Promise<void> {
     if (!isLatest()) return;
   }
   const start = performance.now();
-  let difference: number | null = null;
-  const sampler = values === 'page' ? fromPage(id, (found) => (difference = found)) : culledSampling;
+  const page = { nodes: 0, difference: null as number | null };
+  const sampler = values === 'page' ? fromPage(id, page) : culledSampling;
   const made = await sliced(id, polygonizing(field, resolution, sampler), isLatest);
-  if (made) hand(id, false, made, difference, start);
+  if (!made) return;
+  hand(id, false, { ...made, evaluations: made.evaluations + page.nodes }, page.difference, start);
 }
 
 /** Cells of what is shown on the way: some, then half as many as in the end, a quarter of the work. */
@@ -105,8 +106,14 @@ async function sliced<T>(
   }
 }
 
+/** What the page took: values in all rounds, and how far those of the last were off. */
+interface Taken {
+  nodes: number;
+  difference: number | null;
+}
+
 /** The values come from the page's graphics device, or from here where it has none. */
-function fromPage(id: number, differ: (difference: number | null) => void): Sampler<Promise<unknown>> {
+function fromPage(id: number, taken: Taken): Sampler<Promise<unknown>> {
   return function* (field: TreeField, lattice: Lattice) {
     let values: LatticeValues | null = null;
     say({ type: 'wanted', id, lattice });
@@ -117,7 +124,8 @@ function fromPage(id: number, differ: (difference: number | null) => void): Samp
         resolve();
       };
     });
-    differ(values && largestDifference(field, lattice, values));
+    taken.nodes += values ? nodeCount(lattice) : 0;
+    taken.difference = values && largestDifference(field, lattice, values);
     return values ?? (yield* culledSampling(field, lattice));
   };
 }
