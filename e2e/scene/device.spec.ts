@@ -56,6 +56,30 @@ for (const style of STYLES) {
   }
 }
 
+test('wires: the picture of arrays, also of as many triangles as only the GPU knows', async () => {
+  const look = { style: 'gouraud', wireframe: true } as const;
+  await show('arrays');
+  const arrays = await picture(look);
+  expect(differing(await picture({ ...look, wireframe: false }), arrays)).toBeGreaterThan(0.1);
+  await show('buffers');
+  expect(differing(await picture(look), arrays)).toBeLessThan(1e-4);
+  await page.evaluate(() => window.stage.showHalf());
+  const expected = await picture(look);
+  const before = await page.evaluate(() => window.count.resources);
+  await page.evaluate(() => window.stage.grow());
+  await page.evaluate(() => window.stage.halve());
+  expect(differing(await picture(look), expected)).toBeLessThan(1e-4);
+  expect(differing(await picture({ style: 'gouraud' }), expected)).toBeGreaterThan(0.1);
+  await page.evaluate(() => window.stage.showHalf());
+  await picture(look);
+  expect(await page.evaluate(() => window.count.resources)).toBe(before);
+});
+
+test('a buffer that cannot be drawn is refused by name', async () => {
+  await show('arrays');
+  expect(await page.evaluate(() => window.stage.refusal())).toContain('“indices”');
+});
+
 test('colours are linear on the device and display values on the screen', async () => {
   await show('buffers');
   const { data, width } = await picture({ style: 'toon', outline: false });

@@ -33,6 +33,8 @@ export interface DeviceStage {
   upwards(work: () => void): number;
   /** Whether the body's buffers can still be read on the device. */
   areAlive(): Promise<boolean>;
+  /** What the scene says to a body whose indices are no index buffer. */
+  refusal(): string;
   clear(): void;
   dispose(): void;
 }
@@ -199,6 +201,16 @@ class Stage implements DeviceStage {
     device.queue.submit([encoder.finish()]);
     target.destroy();
     return (await device.popErrorScope()) === null;
+  }
+
+  refusal(): string {
+    const mesh = this.#buffers();
+    try {
+      this.#sync({ ...mesh, indices: mesh.positions });
+      return '';
+    } catch (error) {
+      return (error as Error).message;
+    }
   }
 
   clear(): void {

@@ -2,7 +2,7 @@
 import type { Box, Mesh } from '../mesh/mesh.ts';
 
 /**
- * Buffers of the scene's own device, with the usage VERTEX, INDEX or INDIRECT that drawing needs. Whoever made them writes them as
+ * Buffers of the scene's own device, with the usage VERTEX, INDEX or INDIRECT that drawing needs, and STORAGE for the last two. Whoever made them writes them as
  * often as he likes and destroys them, once the scene has been given others; the scene never reads, copies or destroys them.
  */
 export interface DeviceMesh {

@@ -10,6 +10,7 @@ import {
   BufferAttribute,
   BufferGeometry,
   type EventDispatcher,
+  LineSegments,
   type Material,
   Sphere,
   Mesh as ThreeMesh,
@@ -18,6 +19,7 @@ import {
 } from 'three/webgpu';
 import type { Mesh } from '../mesh/mesh.ts';
 import { type DeviceMesh, isOnDevice } from './deviceMesh.ts';
+import { DeviceWires } from './deviceWires.ts';
 import { displayRgb } from './look.ts';
 import type { Seam } from './seam.ts';
 import { MASK_ORDER } from './selection.ts';
@@ -41,10 +43,10 @@ export interface Part extends Meshes {
 /** What three draws of one part. */
 interface Meshes {
   /** in all the passes, and where each belongs */
-  readonly meshes: ReadonlyMap<ThreeMesh, ThreeScene>;
-  /** those of the colour pass; a preview has none, and a mesh on the device has no wires: three makes them from arrays */
+  readonly meshes: ReadonlyMap<ThreeMesh | LineSegments, ThreeScene>;
+  /** those of the colour pass; a preview has none */
   readonly fill: ThreeMesh | null;
-  readonly wire: ThreeMesh | null;
+  readonly wire: ThreeMesh | LineSegments | null;
   /** those of the selection's mask; a preview has none */
   readonly silhouette: ThreeMesh | null;
   readonly mask: ThreeMesh | null;
@@ -55,6 +57,7 @@ export interface PartMaterials {
   readonly line: Material;
   readonly occluder: Material;
   readonly wire: Material;
+  readonly lineWire: Material;
   readonly preview: Material;
   readonly silhouette: Material;
   readonly seen: Material;
@@ -79,6 +82,8 @@ export class Parts {
   readonly #seam: Seam;
   /** meshes without a part, of kept ones and of previews */
   readonly #spare = new Map<Kind, Meshes>();
+  /** of meshes on the device, while wires are seen */
+  readonly #wires = new Map<string, DeviceWires>();
   #fill: Fill;
   #wireframe = false;
   #selected: ReadonlySet<string> = new Set();
@@ -135,8 +140,14 @@ export class Parts {
   }
 
   setWireframe(on: boolean): void {
+    if (on === this.#wireframe) return;
     this.#wireframe = on;
-    for (const { wire } of this.#parts.values()) if (wire) wire.visible = on;
+    for (const part of this.#parts.values()) this.#wire(part);
+  }
+
+  /** Before each frame. */
+  update(): void {
+    for (const wires of this.#wires.values()) wires.update();
   }
 
   select(ids: readonly string[]): void {
@@ -165,11 +176,22 @@ export class Parts {
       scene.add(mesh);
     }
     if (part.fill) part.fill.material = this.#fill(isPainted(item));
-    if (part.wire) part.wire.visible = this.#wireframe;
+    this.#wire(part);
     this.#parts.set(item.id, part);
     this.#recolour(part, item);
     this.#mark(part);
     return true;
+  }
+
+  #wire({ item, wire }: Part): void {
+    this.#wires.get(item.id)?.end();
+    this.#wires.delete(item.id);
+    if (!wire) return;
+    wire.visible = this.#wireframe;
+    if (!this.#wireframe || !isOnDevice(item.mesh)) return;
+    const wires = new DeviceWires(this.#seam, item.mesh);
+    this.#wires.set(item.id, wires);
+    wire.geometry = wires.geometry;
   }
 
   /** In the mask a part is either what is selected or what may hide it. */
@@ -187,7 +209,7 @@ export class Parts {
     if (spare) return spare;
     return kind.startsWith('preview')
       ? this.#lightly()
-      : this.#fully(kind !== 'kept', !kind.endsWith('device'));
+      : this.#fully(kind !== 'kept', kind.endsWith('device'));
   }
 
   #geometry(item: SceneItem): BufferGeometry {
@@ -197,16 +219,16 @@ export class Parts {
     return geometry;
   }
 
-  #fully(painted: boolean, wired: boolean): Meshes {
+  #fully(painted: boolean, onDevice: boolean): Meshes {
     const fill = drawn(this.#fill(painted));
     // before the grid, which is blended over what is there
-    const wire = wired ? drawn(this.#materials.wire, 1) : null;
+    const wire = onDevice ? lines(this.#materials.lineWire, 1) : drawn(this.#materials.wire, 1);
     const silhouette = drawn(this.#materials.silhouette, MASK_ORDER.silhouette);
     const mask = drawn(this.#materials.occluder);
-    const meshes = new Map([
+    const meshes = new Map<ThreeMesh | LineSegments, ThreeScene>([
       [drawn(this.#materials.line), this.lines],
       [fill, this.colour],
-      ...(wire ? ([[wire, this.colour]] as const) : []),
+      [wire, this.colour],
       [drawn(this.#materials.occluder), this.preview],
       [silhouette, this.selection],
       [mask, this.selection],
@@ -231,6 +253,8 @@ export class Parts {
 
   #remove({ item, geometry, ...meshes }: Part): void {
     for (const mesh of meshes.meshes.keys()) mesh.removeFromParent();
+    this.#wires.get(item.id)?.end();
+    this.#wires.delete(item.id);
     if (isOnDevice(item.mesh)) this.#seam.end(geometry);
     else geometry.dispose();
     this.#parts.delete(item.id);
@@ -264,7 +288,14 @@ function named(name: string): ThreeScene {
 
 /** Of a part that is still to come. */
 function drawn(material: Material, order = 0): ThreeMesh {
-  const mesh = new ThreeMesh(undefined, material);
+  return placed(new ThreeMesh(undefined, material), order);
+}
+
+function lines(material: Material, order: number): LineSegments {
+  return placed(new LineSegments(undefined, material), order);
+}
+
+function placed<T extends ThreeMesh | LineSegments>(mesh: T, order: number): T {
   mesh.matrixAutoUpdate = false;
   mesh.renderOrder = order;
   return mesh;

@@ -138,6 +138,7 @@ export class Pipeline {
     const { hasPreview, hasSelected } = this.parts;
     const { lines, edges, colour, preview, selection } = this.#targets;
     this.#renderer.info.reset();
+    this.parts.update();
     this.#measure(camera, view);
     this.#page.lined.value = kernel ? 1 : 0;
     if (kernel) this.#draw(this.parts.lines, camera, lines, NO_NORMAL, FAR);

@@ -18,6 +18,7 @@ import type { DeviceMesh } from './deviceMesh.ts';
 /** What this file needs of three's backend. */
 interface Backend {
   readonly isWebGPUBackend?: boolean;
+  readonly device: GPUDevice;
   /** the record of an attribute, made when it is first asked for */
   get(attribute: object): { buffer?: Destroyable };
 }
@@ -26,8 +27,18 @@ interface Destroyable {
   destroy(): void;
 }
 
+/** What is drawn of some vertices. */
+type Drawn = Pick<DeviceMesh, 'indices' | 'draw'>;
 type Role = 'positions' | 'normals' | 'colours' | 'indices' | 'draw';
 
+/** STORAGE: compute passes write all of them, and read the triangles again for their wires */
+const NEEDED: Readonly<Record<Role, readonly ('VERTEX' | 'INDEX' | 'INDIRECT' | 'STORAGE')[]>> = {
+  positions: ['VERTEX'],
+  normals: ['VERTEX'],
+  colours: ['VERTEX'],
+  indices: ['INDEX', 'STORAGE'],
+  draw: ['INDIRECT', 'STORAGE'],
+};
 /** floats a vertex: a compute pass writes vec4 without gaps */
 const FLOATS = 4;
 /** in place of a buffer that is taken back: three destroys what it finds */
@@ -46,31 +57,29 @@ export class Seam {
       throw new Error(
         'A mesh on the graphics device needs WebGPU, and this picture is drawn by WebGL2: give the scene a mesh of arrays.',
       );
-    const { VERTEX, INDEX, INDIRECT } = GPUBufferUsage;
-    const needed = { positions: VERTEX, normals: VERTEX, colours: VERTEX, indices: INDEX, draw: INDIRECT };
-    const words = new Map([
-      [VERTEX, 'VERTEX'],
-      [INDEX, 'INDEX'],
-      [INDIRECT, 'INDIRECT'],
-    ]);
-    for (const [role, usage] of Object.entries(needed)) {
-      if (!(mesh[role as Role].usage & usage))
-        throw new Error(
-          `The buffer “${role}” of a mesh on the graphics device lacks the usage ${words.get(usage)}.`,
-        );
+    for (const [role, usage] of Object.entries(NEEDED)) {
+      const missing = usage.find((name) => !(mesh[role as Role].usage & GPUBufferUsage[name]));
+      if (missing)
+        throw new Error(`The buffer “${role}” of a mesh on the graphics device lacks the usage ${missing}.`);
     }
+  }
+
+  /** Where the buffers must be from. */
+  get device(): GPUDevice {
+    return this.#backend.device;
   }
 
   /** Draws the mesh's buffers; to be given to `end`, never only disposed. */
   geometry(mesh: DeviceMesh, painted: boolean): BufferGeometry {
-    const geometry = new BufferGeometry();
-    geometry.setAttribute('position', this.#lent(mesh.positions));
+    const geometry = this.#places(mesh, mesh);
     geometry.setAttribute('normal', this.#lent(mesh.normals));
     if (painted) geometry.setAttribute('colour', this.#lent(mesh.colours));
-    geometry.setIndex(this.#lend(new BufferAttribute(new Uint32Array(0), 1), mesh.indices));
-    geometry.setIndirect(this.#lend(new IndirectStorageBufferAttribute(new Uint32Array(0), 1), mesh.draw));
-    geometry.boundingSphere = sphereAround(mesh.box);
     return geometry;
+  }
+
+  /** The same for lines between the mesh's vertices. */
+  lines(mesh: DeviceMesh, lines: Drawn): BufferGeometry {
+    return this.#places(mesh, lines);
   }
 
   /** Takes the buffers back, which stay as they are; what three made for them goes. */
@@ -81,6 +90,15 @@ export class Seam {
     geometry.dispose();
     // three forgets this one
     indirect?.dispose();
+  }
+
+  #places({ positions, box }: DeviceMesh, { indices, draw }: Drawn): BufferGeometry {
+    const geometry = new BufferGeometry();
+    geometry.setAttribute('position', this.#lent(positions));
+    geometry.setIndex(this.#lend(new BufferAttribute(new Uint32Array(0), 1), indices));
+    geometry.setIndirect(this.#lend(new IndirectStorageBufferAttribute(new Uint32Array(0), 1), draw));
+    geometry.boundingSphere = sphereAround(box);
+    return geometry;
   }
 
   #lent(buffer: GPUBuffer): BufferAttribute {
