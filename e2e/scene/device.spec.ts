@@ -26,10 +26,11 @@ test.afterEach(() => expect(serious(errors)).toEqual([]));
 
 const STYLES = ['toon', 'gouraud', 'phong', 'hbed-lines', 'hbed-ink'] as const;
 
-async function picture(look: Look): Promise<PNG> {
-  const address = await page.evaluate((wanted) => window.stage.picture(wanted), look);
-  return PNG.sync.read(Buffer.from(address.slice(address.indexOf(',') + 1), 'base64'));
-}
+const read = (address: string): PNG =>
+  PNG.sync.read(Buffer.from(address.slice(address.indexOf(',') + 1), 'base64'));
+
+const picture = async (look: Look): Promise<PNG> =>
+  read(await page.evaluate((wanted) => window.stage.picture(wanted), look));
 
 const show = (...how: Parameters<DeviceStage['show']>) =>
   page.evaluate((of) => window.stage.show(...of), how);
@@ -73,6 +74,15 @@ test('wires: the picture of arrays, also of as many triangles as only the GPU kn
   await page.evaluate(() => window.stage.showHalf());
   await picture(look);
   expect(await page.evaluate(() => window.count.resources)).toBe(before);
+});
+
+test('a picture for a file, while the same buffers are on the screen', async () => {
+  await show('arrays');
+  const expected = await picture({ style: 'hbed-ink' });
+  await show('buffers');
+  const file = read(await page.evaluate(() => window.stage.file({ style: 'hbed-ink' })));
+  expect(differing(file, expected)).toBeLessThan(1e-4);
+  expect(differing(await picture({ style: 'hbed-ink' }), expected)).toBeLessThan(1e-4);
 });
 
 test('a buffer that cannot be drawn is refused by name', async () => {

@@ -26,6 +26,8 @@ export interface DeviceStage {
   showHalf(): void;
   /** Data address of a PNG; without a look in the last one. */
   picture(look?: Partial<Look>): string;
+  /** The same as a picture for a file, from buffers. */
+  file(look: Partial<Look>): Promise<string>;
   pick(x: number, y: number): Hit | null;
   keep(): boolean;
   fade(share: number): void;
@@ -169,11 +171,19 @@ class Stage implements DeviceStage {
   picture(look?: Partial<Look>): string {
     if (look) this.#scene.setLook({ ...DEFAULT_LOOK, ...look });
     this.#scene.render();
-    const copy = document.createElement('canvas');
-    copy.width = copy.height = SIZE;
     // in the task that drew it the canvas still holds its picture
-    copy.getContext('2d')!.drawImage(this.#canvas, 0, 0);
-    return copy.toDataURL('image/png');
+    return png((context) => context.drawImage(this.#canvas, 0, 0));
+  }
+
+  async file(look: Partial<Look>): Promise<string> {
+    const image = await this.#scene.picture({
+      width: SIZE,
+      height: SIZE,
+      view: FRONT_VIEW,
+      look: { ...DEFAULT_LOOK, ...look },
+      items: [{ id: 'body', mesh: this.#buffers(), colour: COLOUR, preview: false }, this.#frame],
+    });
+    return png((context) => context.putImageData(image, 0, 0));
   }
 
   pick(x: number, y: number): Hit | null {
@@ -234,6 +244,14 @@ class Stage implements DeviceStage {
   #sync(mesh: SceneItem['mesh'], preview = false): void {
     this.#scene.sync([{ id: 'body', mesh, colour: COLOUR, preview }, this.#frame]);
   }
+}
+
+/** Data address. */
+function png(draw: (context: CanvasRenderingContext2D) => void): string {
+  const copy = document.createElement('canvas');
+  copy.width = copy.height = SIZE;
+  draw(copy.getContext('2d')!);
+  return copy.toDataURL('image/png');
 }
 
 /** Nothing to be seen, around which the sphere is that of the box: lines and ink measure depth over it. */
