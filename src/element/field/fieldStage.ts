@@ -4,6 +4,7 @@ import { cos, PI, sin } from '../../math/trig.ts';
 import type { Quat } from '../../math/vec.ts';
 import { bounds } from '../../mesh/measure.ts';
 import type { Box } from '../../mesh/mesh.ts';
+import { type DeviceMesh, isOnDevice } from '../../scene/deviceMesh.ts';
 import type { Look, Scene } from '../../scene/index.ts';
 import { FRONT_VIEW, holds, type Margins } from '../../scene/view.ts';
 import type { View } from '../../stroke/stroke.ts';
@@ -25,6 +26,19 @@ const OUTGROWN = 1.8;
 
 const longest = ({ min, max }: Box): number => Math.max(max[0] - min[0], max[1] - min[1], max[2] - min[2]);
 
+/** null: nothing is to be seen; what is on the device may be empty all the same */
+function boxOf(mesh: FieldMesh | DeviceMesh): Box | null {
+  if (isOnDevice(mesh)) return mesh.box;
+  return mesh.indices.length > 0 ? bounds(mesh) : null;
+}
+
+/** What has to be in sight, x y z each. */
+function pointsOf(mesh: FieldMesh | DeviceMesh): ArrayLike<number> {
+  if (!isOnDevice(mesh)) return mesh.positions;
+  const ends = [mesh.box.min, mesh.box.max];
+  return Array.from({ length: 24 }, (_, i) => ends[(Math.floor(i / 3) >> (i % 3)) & 1]![i % 3]!);
+}
+
 /** Whether a body is to fill the picture: always; where it grows under the controls; where it is of quite another size. */
 export type Fit = 'always' | 'covered' | 'never';
 
@@ -38,7 +52,7 @@ export class FieldStage {
   /** of the picture, that the controls cover */
   margins = (): Margins => ({ left: 0.1, top: 0.1, right: 0.1, bottom: 0.1 });
   readonly #drawn: () => void;
-  #mesh: FieldMesh | null = null;
+  #mesh: FieldMesh | DeviceMesh | null = null;
   #box: Box | null = null;
   /** mm, of the longest side of what was fitted last */
   #fitted = 1;
@@ -79,6 +93,8 @@ export class FieldStage {
     cancelAnimationFrame(this.#frame);
     this.#frame = 0;
     this.#view = this.view;
+    // the next scene may be on another device, or on none
+    if (this.#mesh && isOnDevice(this.#mesh)) this.#mesh = null;
     this.scene?.dispose();
     this.scene = null;
   }
@@ -97,12 +113,12 @@ export class FieldStage {
   }
 
   /** False where it is there already. What `refines` the body before it comes gently. */
-  show(mesh: FieldMesh, fit: Fit, refines = false): boolean {
+  show(mesh: FieldMesh | DeviceMesh, fit: Fit, refines = false): boolean {
     if (mesh === this.#mesh) return false;
     this.#beginFading(refines);
     const wasFree = fit === 'covered' && this.#isFree;
     this.#mesh = mesh;
-    this.#box = mesh.indices.length > 0 ? bounds(mesh) : null;
+    this.#box = boxOf(mesh);
     this.#fit ||= fit === 'always' || this.#outgrown || (wasFree && !this.#isFree);
     this.#sync();
     return true;
@@ -119,7 +135,7 @@ export class FieldStage {
   /** All of the body is between the controls. */
   get #isFree(): boolean {
     const { width, height } = this.#size;
-    return this.#mesh === null || holds(this.view, this.#mesh.positions, width / height, this.margins());
+    return this.#mesh === null || holds(this.view, pointsOf(this.#mesh), width / height, this.margins());
   }
 
   /** Too large for the picture it was fitted into, or a dot in it. */

@@ -2,7 +2,8 @@
 import { afterEach, beforeEach, expect, test, vi } from 'vitest';
 import { FieldStage } from '../../../src/element/field/fieldStage.ts';
 import type { FieldMesh } from '../../../src/field/latticeMesh.ts';
-import { DEFAULT_LOOK, type Scene } from '../../../src/scene/index.ts';
+import type { Box } from '../../../src/mesh/mesh.ts';
+import { DEFAULT_LOOK, type DeviceMesh, type Scene, type SceneItem } from '../../../src/scene/index.ts';
 import { FRONT_VIEW } from '../../../src/scene/view.ts';
 
 let now = 0;
@@ -10,6 +11,10 @@ let asked: FrameRequestCallback | null = null;
 /** what each frame showed of the body before */
 let shares: number[] = [];
 let view = FRONT_VIEW;
+
+/** what the scene was given last */
+let shown: readonly SceneItem[] = [];
+let fitted: Box[] = [];
 
 /** The next frame, if one is asked for, some ms later. */
 function frame(later: number): boolean {
@@ -27,8 +32,12 @@ function body(): FieldMesh {
 }
 
 function sceneOf({ reducedMotion = false, software = false } = {}): Scene {
-  const rig = { reducedMotion, view: () => view, setView() {}, fit() {}, update: () => false };
-  const calls = { setLook() {}, resize() {}, sync() {}, render() {}, keep: () => true };
+  const fit = (box: Box) => fitted.push(box);
+  const sync = (items: readonly SceneItem[]) => {
+    shown = items;
+  };
+  const rig = { reducedMotion, view: () => view, setView() {}, fit, update: () => false };
+  const calls = { setLook() {}, resize() {}, sync, render() {}, dispose() {}, keep: () => true };
   return {
     rig,
     ...calls,
@@ -50,6 +59,9 @@ beforeEach(() => {
   vi.stubGlobal('requestAnimationFrame', (callback: FrameRequestCallback) => {
     asked = callback;
     return 1;
+  });
+  vi.stubGlobal('cancelAnimationFrame', () => {
+    asked = null;
   });
   view = FRONT_VIEW;
   now = 1000;
@@ -96,4 +108,35 @@ test('what was not yet seen does not go gently', () => {
   stage.show(body(), 'never', true);
   while (frame(20));
   expect(shares).toEqual([0]);
+});
+
+test('a body on the device is fitted by its box, and goes with the device', () => {
+  const stage = staged();
+  stage.resize(100, 100, 1);
+  const mesh = { draw: {}, box: { min: [-10, -20, -30], max: [10, 20, 30] } } as unknown as DeviceMesh;
+  fitted = [];
+  stage.show(mesh, 'covered');
+  expect(shown.map((item) => item.mesh)).toEqual([mesh]);
+  expect(fitted).toEqual([mesh.box]);
+  stage.detach();
+  stage.attach(sceneOf(), false);
+  expect(shown).toEqual([]);
+  stage.show(mesh, 'never');
+  expect(shown.map((item) => item.mesh)).toEqual([mesh]);
+});
+
+test('a body on the device is covered where a corner of its box is', () => {
+  const stage = staged();
+  stage.resize(100, 100, 1);
+  const of = (x: number) =>
+    ({ draw: {}, box: { min: [-20, -20, -20], max: [x, 20, 20] } }) as unknown as DeviceMesh;
+  stage.show(of(20), 'always');
+  fitted = [];
+  // 200 mm are seen, a tenth at each side is for the controls
+  stage.show(of(28), 'covered');
+  expect(fitted).toEqual([]);
+  view = { ...view, height: 60 };
+  stage.show(of(20), 'never');
+  stage.show(of(28), 'covered');
+  expect(fitted.length).toBe(1);
 });
