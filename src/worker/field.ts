@@ -1,12 +1,12 @@
 /**
- * Makes the bodies of fields beside the page. The latest wish wins: work is cut into slices, between which messages are heard,
- * and what is no longer wanted is given up. A coarse draft comes first and is finished as long as anything is wanted, so
- * that a slider that is being dragged is followed.
+ * Makes the bodies of fields beside the page, coarse ones first, each of which stays on the page until the next is whole. The latest
+ * wish wins: work is cut into slices, between which messages are heard, and what is no longer wanted is given up. Only the
+ * coarsest is finished as long as anything is wanted, so that a slider that is being dragged is followed.
  */
 import { bindField } from '../field/bind.ts';
 import { culledSampling } from '../field/culledSampling.ts';
 import type { FromWorker, Make, ToWorker } from '../field/fieldWork.ts';
-import { type Lattice, type LatticeValues, largestDifference } from '../field/lattice.ts';
+import { type Lattice, type LatticeValues, largestDifference, nodeCount } from '../field/lattice.ts';
 import { type Polygonized, polygonizing, type Sampler } from '../field/polygonize.ts';
 import type { TreeField } from '../field/treeField.ts';
 
@@ -20,7 +20,7 @@ interface Scope {
 const SLICE = 12;
 /** cells: 20 000 values, some 20 ms for a dozen skels */
 const DRAFT = 28;
-/** a draft of less than this share of the wanted cells is worth its time */
+/** a draft of less than this share of the cells that come after it is worth its time */
 const COARSER = 0.6;
 
 const scope = self as unknown as Scope;
@@ -62,21 +62,27 @@ async function work(): Promise<void> {
 async function make({ id, node, resolution, values }: Make): Promise<void> {
   const field = bindField(node);
   const isLatest = () => id === latest;
-  if (values === 'worker' && DRAFT < COARSER * resolution) {
+  const drafts = values === 'worker' ? draftsBefore(resolution) : [];
+  for (const [i, cells] of drafts.entries()) {
+    const wanted = () => isLatest() || (i === 0 && wish !== null);
     const start = performance.now();
-    const draft = await sliced(
-      id,
-      polygonizing(field, DRAFT, culledSampling),
-      () => isLatest() || wish !== null,
-    );
+    const draft = await sliced(id, polygonizing(field, cells, culledSampling), wanted);
     if (draft) hand(id, true, draft, null, start);
     if (!isLatest()) return;
   }
   const start = performance.now();
-  let difference: number | null = null;
-  const sampler = values === 'page' ? fromPage(id, (found) => (difference = found)) : culledSampling;
+  const page = { nodes: 0, difference: null as number | null };
+  const sampler = values === 'page' ? fromPage(id, page) : culledSampling;
   const made = await sliced(id, polygonizing(field, resolution, sampler), isLatest);
-  if (made) hand(id, false, made, difference, start);
+  if (!made) return;
+  hand(id, false, { ...made, evaluations: made.evaluations + page.nodes }, page.difference, start);
+}
+
+/** Cells of what is shown on the way: some, then half as many as in the end, a quarter of the work. */
+function draftsBefore(resolution: number): readonly number[] {
+  const half = Math.round(resolution / 2);
+  if (DRAFT < COARSER * half) return [DRAFT, half];
+  return DRAFT < COARSER * resolution ? [DRAFT] : [];
 }
 
 /** Null when it was given up. */
@@ -100,8 +106,14 @@ async function sliced<T>(
   }
 }
 
+/** What the page took: values in all rounds, and how far those of the last were off. */
+interface Taken {
+  nodes: number;
+  difference: number | null;
+}
+
 /** The values come from the page's graphics device, or from here where it has none. */
-function fromPage(id: number, differ: (difference: number | null) => void): Sampler<Promise<unknown>> {
+function fromPage(id: number, taken: Taken): Sampler<Promise<unknown>> {
   return function* (field: TreeField, lattice: Lattice) {
     let values: LatticeValues | null = null;
     say({ type: 'wanted', id, lattice });
@@ -112,7 +124,8 @@ function fromPage(id: number, differ: (difference: number | null) => void): Samp
         resolve();
       };
     });
-    differ(values && largestDifference(field, lattice, values));
+    taken.nodes += values ? nodeCount(lattice) : 0;
+    taken.difference = values && largestDifference(field, lattice, values);
     return values ?? (yield* culledSampling(field, lattice));
   };
 }
