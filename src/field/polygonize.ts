@@ -12,7 +12,7 @@ import { type Bricks, culling } from './bricks.ts';
 import { BrickValues } from './brickValues.ts';
 import { fitting, grownWhere } from './fitBox.ts';
 import { type Lattice, latticeAround, latticeOver } from './lattice.ts';
-import { Tally } from './near.ts';
+import { type Near, Tally } from './near.ts';
 import type { TreeField } from './treeField.ts';
 
 export interface Polygonized {
@@ -40,6 +40,13 @@ export function polygonize(field: TreeField, resolution: number, box: Box | null
   }
 }
 
+/** What a field is asked through, and where its surface may be. */
+export interface Located {
+  readonly whole: Near;
+  readonly tally: Tally;
+  readonly bricks: Bricks;
+}
+
 /**
  * `resolution` cells along the longest side of the body in `box`, which is fitted to the body, and grown where the body leaves
  * it. Without a box the body has no end, and is cut off at `PAGE`. FieldError for a box of no finite numbers.
@@ -49,21 +56,38 @@ export function* polygonizing(
   resolution: number,
   box: Box | null = field.box,
 ): Generator<number, Polygonized> {
+  let within = box;
+  for (let round = 0; ; round++) {
+    const located = yield* locating(field, resolution, within);
+    const { mesh, leaves } = yield* meshing(located);
+    const larger = within && round < ROUNDS ? grownWhere(within, leaves) : null;
+    const { bricks, tally } = located;
+    if (!larger) return { mesh, lattice: bricks.lattice, evaluations: tally.work, bricks };
+    within = larger;
+  }
+}
+
+/** The bricks of a body in `box`, as above. */
+export function* locating(
+  field: TreeField,
+  resolution: number,
+  box: Box | null = field.box,
+): Generator<number, Located> {
   const tally = new Tally();
   const whole = field.near(tally);
   // a lattice where nothing is makes an empty mesh
-  let around = box && ((yield* fitting(whole, box)) ?? box);
-  for (let round = 0; ; round++) {
-    const lattice = around ? latticeAround(around, resolution) : latticeOver(PAGE, resolution);
-    const bricks = yield* culling(whole, lattice);
-    const values = new BrickValues(whole, bricks, tally);
-    const mesh = new BrickMesh(bricks, values, tally);
-    for (const [place, brick] of bricks.active.entries()) {
-      mesh.add(brick, values.fill(place));
-      if (place % BATCH === 0) yield place / bricks.active.length;
-    }
-    const larger = around && round < ROUNDS ? grownWhere(around, values.leaves) : null;
-    if (!larger) return { mesh: mesh.mesh(), lattice, evaluations: tally.work, bricks };
-    around = larger;
+  const around = box && ((yield* fitting(whole, box)) ?? box);
+  const lattice = around ? latticeAround(around, resolution) : latticeOver(PAGE, resolution);
+  return { whole, tally, bricks: yield* culling(whole, lattice) };
+}
+
+/** The mesh of all bricks, and whether it was cut off at each side of the lattice: −x, x, −y, y, −z, z. */
+export function* meshing({ whole, tally, bricks }: Located) {
+  const values = new BrickValues(whole, bricks, tally);
+  const mesh = new BrickMesh(bricks, values, tally);
+  for (const [place, brick] of bricks.active.entries()) {
+    mesh.add(brick, values.fill(place));
+    if (place % BATCH === 0) yield place / bricks.active.length;
   }
+  return { mesh: mesh.mesh(), leaves: values.leaves };
 }

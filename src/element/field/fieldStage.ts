@@ -1,5 +1,5 @@
 /** The picture of the field page: one painted part, its camera, and frames only when something moved. */
-import type { FieldMesh } from '../../field/latticeMesh.ts';
+import type { FieldMesh } from '../../field/brickMesh.ts';
 import { cos, PI, sin } from '../../math/trig.ts';
 import type { Quat } from '../../math/vec.ts';
 import { bounds } from '../../mesh/measure.ts';
