@@ -1,26 +1,14 @@
 /** Meshes of shapes and of their sets against what is known of them: genus, volume, area, box. */
 import { describe, expect, test } from 'vitest';
-import type { Affine } from '../../src/field/affine.ts';
 import type { FieldNode } from '../../src/field/node.ts';
 import { random } from '../fixtures/random.ts';
-import { expectKnown, expectSolid, type Known, made, set, shape } from './meshes.ts';
+import { along, expectKnown, expectSolid, type Known, made, set, shape } from './meshes.ts';
 import { box, type Point, placed, sphere } from './trees.ts';
 
 const PI = Math.PI;
 const ball = (r: number) => (4 / 3) * PI * r ** 3;
 const torus = (ring: number, tube: number) => shape({ type: 'torus', ring, tube });
 const cylinder = (radius: number, half: number) => shape({ type: 'cylinder', radius, half });
-
-/** y, the axis of shapes, along `to`. */
-function along([x, y, z]: Point, node: FieldNode): FieldNode {
-  const length = Math.hypot(x, y, z);
-  const [dx, dy, dz] = [x / length, y / length, z / length];
-  const flat = Math.hypot(dx, dy);
-  const [sx, sy] = [dy / flat, -dx / flat];
-  const third = [sy * dz, -sx * dz, sx * dy - sy * dx] as const;
-  const matrix: Affine = [sx, dx, third[0], 0, sy, dy, third[1], 0, 0, dz, third[2], 0];
-  return { type: 'affine', matrix, node };
-}
 
 describe('shapes', () => {
   const known: readonly (readonly [string, FieldNode, number, Known])[] = [

@@ -1,5 +1,6 @@
 /** What tests of meshes of fields ask. Tolerances follow from the size of a cell: facets are chords of the surface. */
 import { expect } from 'vitest';
+import type { Affine } from '../../src/field/affine.ts';
 import { bindField } from '../../src/field/bind.ts';
 import type { Lattice } from '../../src/field/lattice.ts';
 import type { FieldNode, SetNode } from '../../src/field/node.ts';
@@ -20,6 +21,17 @@ export const set = (type: SetNode['type'], form: SetNode['form'], ...parts: Fiel
 
 export const made = (node: FieldNode, resolution: number): Polygonized =>
   polygonize(bindField(node), resolution);
+
+/** y, the axis of shapes, along `to`. */
+export function along([x, y, z]: Point, node: FieldNode): FieldNode {
+  const length = Math.hypot(x, y, z);
+  const [dx, dy, dz] = [x / length, y / length, z / length];
+  const flat = Math.hypot(dx, dy);
+  const [sx, sy] = [dy / flat, -dx / flat];
+  const third = [sy * dz, -sx * dz, sx * dy - sy * dx] as const;
+  const matrix: Affine = [sx, dx, third[0], 0, sy, dy, third[1], 0, 0, dz, third[2], 0];
+  return { type: 'affine', matrix, node };
+}
 
 /** Closed, outward, of one piece unless said. */
 export function expectSolid(mesh: Mesh, genus = 0, components = 1): void {
