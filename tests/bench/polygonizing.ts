@@ -14,7 +14,7 @@ import type { TreeField } from '../../src/field/treeField.ts';
 import { skelsOf } from './scenes/index.ts';
 
 /** ms that one measurement may take, about: dense lattices are sampled in part, quick ones of ours repeated */
-const PATIENCE = 1500;
+const PATIENCE = 1000;
 const ROUNDS = 5;
 const MIB = 2 ** 20;
 
