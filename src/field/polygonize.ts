@@ -57,12 +57,15 @@ export function* polygonizing(
   box: Box | null = field.box,
 ): Generator<number, Polygonized> {
   let within = box;
+  let before = 0;
   for (let round = 0; ; round++) {
     const located = yield* locating(field, resolution, within);
     const { mesh, leaves } = yield* meshing(located);
     const larger = within && round < ROUNDS ? grownWhere(within, leaves) : null;
     const { bricks, tally } = located;
-    if (!larger) return { mesh, lattice: bricks.lattice, evaluations: tally.work, bricks };
+    const evaluations = before + tally.work;
+    if (!larger) return { mesh, lattice: bricks.lattice, evaluations, bricks };
+    before = evaluations;
     within = larger;
   }
 }

@@ -17,7 +17,7 @@ import { randomTree } from './randomTrees.ts';
 function meshOf(whole: Near, bricks: Bricks, tally: Tally) {
   const values = new BrickValues(whole, bricks, tally);
   const mesh = new BrickMesh(bricks, values, tally);
-  bricks.active.forEach((brick, place) => mesh.add(brick, values.fill(place)));
+  for (const [place, brick] of bricks.active.entries()) mesh.add(brick, values.fill(place));
   return mesh.mesh();
 }
 

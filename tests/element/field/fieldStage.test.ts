@@ -1,7 +1,7 @@
 /** A finer body comes gently, with a scene that only remembers what it is told. */
 import { afterEach, beforeEach, expect, test, vi } from 'vitest';
 import { FieldStage } from '../../../src/element/field/fieldStage.ts';
-import type { FieldMesh } from '../../../src/field/latticeMesh.ts';
+import type { FieldMesh } from '../../../src/field/brickMesh.ts';
 import type { Box } from '../../../src/mesh/mesh.ts';
 import { DEFAULT_LOOK, type DeviceMesh, type Scene, type SceneItem } from '../../../src/scene/index.ts';
 import { FRONT_VIEW } from '../../../src/scene/view.ts';
