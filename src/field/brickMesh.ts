@@ -51,6 +51,8 @@ export class BrickMesh {
   readonly #inside = new Uint8Array(CORNERS);
   readonly #point = new EdgePoint();
   readonly #fans: CreaseFans;
+  /** places of points on creases */
+  readonly #creases = new Set<string>();
   #brick: Brick;
   #own: Float64Array = new Float64Array(CORNERS);
 
@@ -146,13 +148,21 @@ export class BrickMesh {
     if (branches.length < 2 || branches.includes(NO_BRANCH)) return null;
     const { step } = this.#bricks.lattice;
     const crease = creaseNear(this.#brick.near, branches, this.#mean(this.#positions, ring), REACH * step);
-    if (!crease) return null;
+    if (!crease || this.#isTaken(crease.at)) return null;
     const copies = branches.map((branch, i) => {
       const side = ring.filter((vertex) => this.#branches[vertex] === branch);
       const copy = this.#add(crease.at, crease.normals[i]!, branch, this.#mean(this.#colours, side));
       return [branch, copy] as const;
     });
     return { copies: new Map(copies) };
+  }
+
+  /** Corners are found from cells around, too: two points in one place would be one. */
+  #isTaken(at: Vec3): boolean {
+    const key = Float32Array.from(at).join(' ');
+    const isTaken = this.#creases.has(key);
+    this.#creases.add(key);
+    return isTaken;
   }
 
   /** On the edge (corner + 8 axis) of the cube whose first corner is `c`. */

@@ -42,10 +42,13 @@ export function skelSum(
 
 /** of T: what adds less has no colour */
 export const UNSEEN = 1e-3;
-/** What is as wide as a kernel without a width: how far the thinnest skel reaches by itself. */
+/** what a Cauchy kernel's width is of the radius of a point or a tube that is as steep as one of 1/r⁵ */
+const STEEP = 0.3;
+
+/** What is as wide as a kernel without a width: a share of how far the thinnest skel reaches by itself. */
 function reachOf(terms: readonly BoundTerm[], threshold: number): number {
   const reaches = terms.map(({ field, factor }) => field.offset(threshold / Math.abs(factor)));
-  return reaches.reduce((least, reach) => (reach > 0 && reach < least ? reach : least), Infinity);
+  return STEEP * reaches.reduce((least, reach) => (reach > 0 && reach < least ? reach : least), Infinity);
 }
 
 /** of T and the sum */

@@ -11,7 +11,7 @@ import { expectSolid } from './meshes.ts';
 import { evaluated, type Point } from './trees.ts';
 
 /** Not yet: until the polygonizer has feature vertices, creases are cut by up to half a cell. */
-const ARE_SHARP = false;
+const ARE_SHARP = true;
 const CELLS = 48;
 /** cells */
 const CLOSE = 0.1;
