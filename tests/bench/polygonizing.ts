@@ -5,9 +5,7 @@
 import { setFlagsFromString } from 'node:v8';
 import { runInNewContext } from 'node:vm';
 import { bindField } from '../../src/field/bind.ts';
-import { culledSampling } from '../../src/field/culledSampling.ts';
 import { type Lattice, nodeCount } from '../../src/field/lattice.ts';
-import type { FieldMesh } from '../../src/field/latticeMesh.ts';
 import type { FieldNode } from '../../src/field/node.ts';
 import { type Polygonized, polygonize, polygonizing } from '../../src/field/polygonize.ts';
 import type { TreeField } from '../../src/field/treeField.ts';
@@ -17,11 +15,6 @@ import { skelsOf } from './scenes/index.ts';
 const PATIENCE = 1000;
 const ROUNDS = 5;
 const MIB = 2 ** 20;
-
-/** Of a result that counts its work; of others each evaluation asks all skels. */
-export function workOf(result: Polygonized & { readonly work?: number }, skels: number): number {
-  return result.work ?? result.evaluations * skels;
-}
 
 export interface Measured {
   readonly result: Polygonized;
@@ -36,7 +29,7 @@ export function measured(node: FieldNode, resolution: number): Measured {
   const skels = skelsOf(node);
   const { result, milliseconds } = least(() => polygonize(bindField(node), resolution));
   const denseWork = skels * nodeCount(result.lattice);
-  return { result, skels, work: workOf(result, skels), denseWork, milliseconds };
+  return { result, skels, work: result.evaluations, denseWork, milliseconds };
 }
 
 /** The least time of as many rounds as patience allows, at least one. */
@@ -80,7 +73,7 @@ function coprime(from: number, of: number): number {
 }
 
 /** How far vertices are from the surface, in cells, by the whole field: |f| / (|∇f| h). Every `every`-th vertex. */
-export function vertexErrors(field: TreeField, mesh: FieldMesh, { step }: Lattice, every: number) {
+export function vertexErrors(field: TreeField, mesh: Polygonized['mesh'], { step }: Lattice, every: number) {
   const out = new Float64Array(4);
   const errors: number[] = [];
   for (let i = 0; i < mesh.positions.length; i += 3 * every) {
@@ -103,7 +96,7 @@ export function peakMemory(node: FieldNode, resolution: number): number {
     return heapUsed + arrayBuffers;
   };
   const before = used();
-  const steps = polygonizing(bindField(node), resolution, culledSampling);
+  const steps = polygonizing(bindField(node), resolution);
   let most = 0;
   for (let i = 0; ; i++) {
     const { done, value } = steps.next();

@@ -205,7 +205,7 @@ function whale(): CreaseCase {
         u: [1, 0, 0],
         v: [0, 0, 1],
         loops: [loop],
-        weight: 0.22,
+        weight: 0.145,
       },
     },
   ]);

@@ -50,9 +50,9 @@ describe('what is left', () => {
   test('what is inside everywhere is the page', () => {
     const { mesh, lattice } = made(set('union', 'hard', half(1), half(-1)), 16);
     expectSolid(mesh);
-    // edges may be cut by less than a cell
-    const cut = (2 * PAGE) ** 3 - volume(mesh);
-    expect(Math.abs(cut)).toBeLessThan(12 * 2 * PAGE * lattice.step ** 2);
+    // half a cell more at some sides, and edges may be cut by less than a cell
+    const more = volume(mesh) - (2 * PAGE) ** 3;
+    expect(Math.abs(more)).toBeLessThan((6 * 2 * PAGE * 0.5 + 12 * lattice.step) * 2 * PAGE * lattice.step);
   });
 
   test('what fills the given box grows out of it', () => {
@@ -91,7 +91,8 @@ describe('what is left', () => {
     for (const node of [grown, built]) expectSolid(made(node, 24).mesh);
     const [large, plain] = [made(bitten, 24).mesh, made(unit, 24).mesh];
     expect(topology(large)).toMatchObject({ watertight: true, finite: true });
-    expect(volume(large) / k ** 3 / volume(plain)).toBeCloseTo(1, 2);
+    // their lattices differ
+    expect(Math.abs(volume(large) / k ** 3 / volume(plain) - 1)).toBeLessThan(0.02);
   });
 });
 
