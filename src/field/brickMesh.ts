@@ -12,8 +12,9 @@ import type { Mesh } from '../mesh/mesh.ts';
 import { FLOPS } from '../skeleton/work.ts';
 import type { Brick, Bricks } from './bricks.ts';
 import { type BrickValues, CUT } from './brickValues.ts';
-import { creaseNear } from './crease.ts';
-import { CreaseFans } from './creaseFans.ts';
+import { type Crease, creaseNear } from './crease.ts';
+import { Corners } from './creaseCorners.ts';
+import { CreaseFans, type Fan } from './creaseFans.ts';
 import { AMBIGUOUS, CubeLoops } from './cubeLoops.ts';
 import { CROSSING_FLOPS, cubicCrossing, EdgePoint } from './edgePoint.ts';
 import { CORNERS, SIDE } from './hermite.ts';
@@ -27,7 +28,9 @@ export interface FieldMesh extends Mesh {
 }
 
 /** of a cell, how far from the middle of its loop a point on a crease may be */
-const REACH = 0.9;
+const REACH = 1.2;
+/** of a cell: corners as near to each other, of the same sides, are one */
+const SAME = 0.02;
 const AXES = [1, SIDE, SIDE * SIDE] as const;
 const NO_BRANCH = -1;
 
@@ -51,6 +54,7 @@ export class BrickMesh {
   readonly #inside = new Uint8Array(CORNERS);
   readonly #point = new EdgePoint();
   readonly #fans: CreaseFans;
+  readonly #corners = new Corners();
   /** places of points on creases */
   readonly #creases = new Set<string>();
   #brick: Brick;
@@ -142,27 +146,45 @@ export class BrickMesh {
     eachTriangle(ring, middle, this.#positions, (a, b, c) => this.#indices.push(a, b, c));
   }
 
-  /** The copies of a point on the crease that runs through the loop, if one does. */
-  #creased(ring: readonly number[]) {
-    const branches = [...new Set(ring.map((vertex) => this.#branches[vertex]!))];
+  /** The copies of a point on the crease, or at the corner, that the loop is around; null where there is none. */
+  #creased(ring: readonly number[]): Fan | null {
+    const branches = [...new Set(ring.map((vertex) => this.#branches[vertex]!))].sort((a, b) => a - b);
     if (branches.length < 2 || branches.includes(NO_BRANCH)) return null;
     const { step } = this.#bricks.lattice;
-    const crease = creaseNear(this.#brick.near, branches, this.#mean(this.#positions, ring), REACH * step);
-    if (!crease || this.#isTaken(crease.at)) return null;
-    const copies = branches.map((branch, i) => {
-      const side = ring.filter((vertex) => this.#branches[vertex] === branch);
-      const copy = this.#add(crease.at, crease.normals[i]!, branch, this.#mean(this.#colours, side));
-      return [branch, copy] as const;
-    });
-    return { copies: new Map(copies) };
+    const { near } = this.#brick;
+    const middle = this.#mean(this.#positions, ring);
+    const found = creaseNear(near, branches, middle, REACH * step);
+    if (found) {
+      const known = this.#corners.near(branches, found.at, SAME * step);
+      if (known) return this.#fans.joins(ring, known) ? known : null;
+      const fan = this.#fanOf(ring, branches, found);
+      if (branches.length > 2) this.#corners.add(branches, found.at, fan);
+      return fan;
+    }
+    // sides that meet in no point nearby: the crease of the two that most of the loop is on
+    if (branches.length === 2) return null;
+    const count = (branch: number) => ring.filter((vertex) => this.#branches[vertex] === branch).length;
+    const two = branches.toSorted((a, b) => count(b) - count(a)).slice(0, 2);
+    const crease = creaseNear(near, two, middle, REACH * step);
+    return (
+      crease &&
+      this.#fanOf(ring, branches, {
+        at: crease.at,
+        normals: branches.map((branch) => crease.normals[two.indexOf(branch)] ?? crease.normals[0]!),
+      })
+    );
   }
 
-  /** Corners are found from cells around, too: two points in one place would be one. */
-  #isTaken(at: Vec3): boolean {
+  /** Null where a vertex is there already: two in one place would be one. */
+  #fanOf(ring: readonly number[], branches: readonly number[], { at, normals }: Crease): Fan | null {
     const key = Float32Array.from(at).join(' ');
-    const isTaken = this.#creases.has(key);
+    if (this.#creases.has(key)) return null;
     this.#creases.add(key);
-    return isTaken;
+    const copies = branches.map((branch, i) => {
+      const side = ring.filter((vertex) => this.#branches[vertex] === branch);
+      return [branch, this.#add(at, normals[i]!, branch, this.#mean(this.#colours, side))] as const;
+    });
+    return { copies: new Map(copies) };
   }
 
   /** On the edge (corner + 8 axis) of the cube whose first corner is `c`. */

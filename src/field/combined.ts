@@ -154,8 +154,9 @@ class Combined implements TreeField {
   }
 
   near(tally: Tally): Near {
+    const first = tally.branches;
     const parts = this.#parts.map((part) => part.near(tally));
-    return new NearSet(parts, [], this.#operation, this.#kind);
+    return new NearSet(parts, [], this.#operation, this.#kind, [first, tally.branches]);
   }
 
   boxAbove(level: number): Box | null {

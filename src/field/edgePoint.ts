@@ -10,6 +10,8 @@ import { type Crossed, surfacePoint } from './surfacePoint.ts';
 const FARTHEST = 0.15;
 const CLOSE = 0.01;
 const STEPS = 3;
+/** of the way to the nearer end: less than a half, for edges that meet there */
+const BESIDE = 0.49;
 /** parts of the edge that are kept from its ends: edges that meet at a node must not put their vertices into one place */
 const ENDS = 1e-3;
 
@@ -28,7 +30,18 @@ export class EdgePoint {
     const x = a[0] + (axis === 0 ? t * step : 0);
     const y = a[1] + (axis === 1 ? t * step : 0);
     const z = a[2] + (axis === 2 ? t * step : 0);
-    return this.polish(field, [x, y, z], step);
+    return this.polish(field, [x, y, z], step) && this.#isBeside(a, axis, step);
+  }
+
+  /** So near to the edge that no vertex of another edge is in the same place. */
+  #isBeside(a: Vec3, axis: number, step: number): boolean {
+    const along = (axis === 0 ? this.x - a[0] : axis === 1 ? this.y - a[1] : this.z - a[2]) / step;
+    const most = BESIDE * Math.min(along, 1 - along) * step;
+    return (
+      (axis === 0 || Math.abs(this.x - a[0]) <= most) &&
+      (axis === 1 || Math.abs(this.y - a[1]) <= most) &&
+      (axis === 2 || Math.abs(this.z - a[2]) <= most)
+    );
   }
 
   /** From a place near the surface. */

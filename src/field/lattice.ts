@@ -46,11 +46,11 @@ export function latticeAround({ min, max }: Box, resolution: number): Lattice {
 
 /**
  * Over the cube of `half` mm to all sides of the origin, for bodies that go on beyond it: they are cut off half a cell within
- * a lattice, which is where the cube ends.
+ * a lattice, which is where the cube ends, or a quarter of a cell farther, so that no node is in the middle.
  */
 export function latticeOver(half: number, resolution: number): Lattice {
-  const cells = wholeBricks(cellsOf(resolution) + 1);
-  const step = (2 * half) / (cells - 1);
+  const cells = wholeBricks(cellsOf(resolution) + AIR);
+  const step = (2 * half) / (cells - AIR);
   const first = -half - step / 2;
   return { origin: [first, first, first], step, counts: [cells + 1, cells + 1, cells + 1] };
 }

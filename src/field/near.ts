@@ -9,10 +9,11 @@ import type { Taylor } from '../skeleton/taylor.ts';
 import type { BrickNodes } from './brickNodes.ts';
 import type { Colour } from './node.ts';
 
-/** Counts what is asked, in values of one skel (skeleton/work.ts), and numbers the leaves. One for a whole tree. */
+/** Counts what is asked, in values of one skel (skeleton/work.ts), and numbers leaves and branches. One for a whole tree. */
 export class Tally {
   work = 0;
   leaves = 0;
+  branches = 0;
 }
 
 export interface Near {
@@ -25,13 +26,15 @@ export interface Near {
   readonly asked: number;
   /** how many smooth fields its values come from; they change at creases */
   readonly branches: number;
+  /** the first of their numbers in the tree, and beyond the last, those that were left out among them */
+  readonly span: readonly [first: number, end: number];
   /** the colour that it has everywhere; null where that is not known */
   readonly plain: Colour | null;
   value(x: number, y: number, z: number): number;
   evaluate(x: number, y: number, z: number, out: FieldValue): void;
   /** Writes red, green, blue and returns the value. */
   colour(x: number, y: number, z: number, out: Float64Array): number;
-  /** Which of the smooth fields the value is from, or would be if it were 0. */
+  /** The number of the smooth field that the value is from, or would be from if it were 0. */
   branch(x: number, y: number, z: number): number;
   /** Value and gradient of that field, also beyond the crease. */
   onBranch(branch: number, x: number, y: number, z: number, out: FieldValue): void;

@@ -24,6 +24,7 @@ export class NearSet implements Near {
   readonly error: number;
   readonly asked: number;
   readonly branches: number;
+  readonly span: readonly [first: number, end: number];
   readonly plain: Colour | null;
   readonly #parts: readonly Near[];
   readonly #dropped: readonly Dropped[];
@@ -31,7 +32,14 @@ export class NearSet implements Near {
   readonly #kind: Kind;
   readonly #scratch = new Scratch();
 
-  constructor(parts: readonly Near[], dropped: readonly Dropped[], operation: Operation, kind: Kind) {
+  constructor(
+    parts: readonly Near[],
+    dropped: readonly Dropped[],
+    operation: Operation,
+    kind: Kind,
+    span: Near['span'],
+  ) {
+    this.span = span;
     this.#parts = parts;
     this.#dropped = dropped;
     this.#operation = operation;
@@ -59,40 +67,29 @@ export class NearSet implements Near {
   }
 
   branch(x: number, y: number, z: number): number {
-    if (this.branches === 1) return 0;
+    if (!this.#operation.isExtreme) return this.span[0];
     const [outer, sign] = signsOf(this.#kind);
-    let [best, most, first] = [0, -Infinity, 0];
-    let before = 0;
+    let [best, most] = [this.#parts[0]!, -Infinity];
     this.#parts.forEach((part, i) => {
       const value = (i === 0 ? outer : sign) * part.value(x, y, z);
-      if (value > most) [best, most, first] = [i, value, before];
-      before += part.branches;
+      if (value > most) [best, most] = [part, value];
     });
-    return first + this.#parts[best]!.branch(x, y, z);
+    return best.branch(x, y, z);
   }
 
   onBranch(branch: number, x: number, y: number, z: number, out: FieldValue): void {
-    if (this.branches === 1) {
-      this.evaluate(x, y, z, out);
-      return;
-    }
-    let left = branch;
-    for (const part of this.#parts) {
-      if (left < part.branches) {
-        part.onBranch(left, x, y, z, out);
-        return;
-      }
-      left -= part.branches;
-    }
+    const part = this.#operation.isExtreme && this.#parts.find(({ span }) => branch < span[1]);
+    if (part) part.onBranch(branch, x, y, z, out);
+    else this.evaluate(x, y, z, out);
   }
 
   within(x: number, y: number, z: number, half: number, missed: number): Near {
     const parts = this.#parts.map((part, i) => part.within(x, y, z, half, missed * this.#shareOf(i)));
     if (this.#operation !== hardUnion) {
-      return new NearSet(parts, this.#dropped, this.#operation, this.#kind);
+      return new NearSet(parts, this.#dropped, this.#operation, this.#kind, this.span);
     }
     const { kept, dropped } = largestOf(parts, this.#kind);
-    return new NearSet(kept, [...this.#dropped, ...dropped], this.#operation, this.#kind);
+    return new NearSet(kept, [...this.#dropped, ...dropped], this.#operation, this.#kind, this.span);
   }
 
   corners(nodes: BrickNodes, out: Float64Array): number {

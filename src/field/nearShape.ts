@@ -16,7 +16,10 @@ export function nearShape(
   frame: LeafFrame | null,
   tally: Tally,
 ): Near {
-  return new NearShape({ field, colour, facets, frame, tally, leaf: tally.leaves++ }, -Infinity, Infinity);
+  const first = tally.branches;
+  tally.branches += facets?.count ?? 1;
+  const leaf = tally.leaves++;
+  return new NearShape({ field, colour, facets, frame, tally, leaf, first }, -Infinity, Infinity);
 }
 
 interface Whole {
@@ -26,6 +29,8 @@ interface Whole {
   readonly frame: LeafFrame | null;
   readonly tally: Tally;
   readonly leaf: number;
+  /** number of the first branch */
+  readonly first: number;
 }
 
 const range = new Float64Array(2);
@@ -43,6 +48,11 @@ class NearShape implements Near {
     this.branches = whole.facets?.count ?? 1;
     this.low = low;
     this.high = high;
+  }
+
+  get span(): readonly [number, number] {
+    const { first, facets } = this.#whole;
+    return [first, first + (facets?.count ?? 1)];
   }
 
   get plain(): Colour {
@@ -65,27 +75,27 @@ class NearShape implements Near {
   }
 
   branch(x: number, y: number, z: number): number {
-    const { facets, frame, tally } = this.#whole;
-    if (!facets) return 0;
+    const { facets, frame, tally, first } = this.#whole;
+    if (!facets) return first;
     tally.work += 1;
-    if (!frame) return facets.nearest(x, y, z);
+    if (!frame) return first + facets.nearest(x, y, z);
     frame.enter(x, y, z);
-    return facets.nearest(frame.x, frame.y, frame.z);
+    return first + facets.nearest(frame.x, frame.y, frame.z);
   }
 
   onBranch(branch: number, x: number, y: number, z: number, out: FieldValue): void {
-    const { facets, frame, tally } = this.#whole;
+    const { facets, frame, tally, first } = this.#whole;
     if (!facets) {
       this.evaluate(x, y, z, out);
       return;
     }
     tally.work += WITH_GRADIENT;
     if (!frame) {
-      facets.evaluate(branch, x, y, z, out);
+      facets.evaluate(branch - first, x, y, z, out);
       return;
     }
     frame.enter(x, y, z);
-    facets.evaluate(branch, frame.x, frame.y, frame.z, out);
+    facets.evaluate(branch - first, frame.x, frame.y, frame.z, out);
     frame.leave(out);
   }
 

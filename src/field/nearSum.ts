@@ -30,6 +30,7 @@ interface Whole {
   /** of the field on the surface, nearly: T a millimetre */
   readonly steep: number;
   readonly leaf: number;
+  readonly branch: number;
   readonly frame: LeafFrame | null;
   readonly tally: Tally;
   /** of all terms, where they have one */
@@ -69,6 +70,7 @@ export function nearSum(
     width: seen,
     steep,
     leaf: tally.leaves++,
+    branch: tally.branches++,
     frame,
     tally,
     plain,
@@ -139,8 +141,13 @@ class NearSum implements Near {
     return frame.scale * this.#colour(frame.x, frame.y, frame.z, out);
   }
 
+  get span(): readonly [number, number] {
+    const { branch } = this.#whole;
+    return [branch, branch + 1];
+  }
+
   branch(): number {
-    return 0;
+    return this.#whole.branch;
   }
 
   onBranch(_: number, x: number, y: number, z: number, out: FieldValue): void {

@@ -34,6 +34,7 @@ export function noise({ counts: [nx, ny, nz] }: Lattice, values: Float64Array): 
     error: 0,
     asked: 1,
     branches: 1,
+    span: [0, 1],
     plain: [0.5, 0.5, 0.5],
     value,
     evaluate,
