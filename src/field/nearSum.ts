@@ -188,13 +188,14 @@ class NearSum implements Near {
     const taylor = shiftedTaylor(old.taylor, x - old.centre[0], y - old.centre[1], z - old.centre[2]);
     const colour = old.colour.slice();
     const terms = this.#terms;
+    const budget = Math.min(allowed * steep, MOST_MISSED * threshold) - this.error;
     const missed = new Float64Array(terms.length);
     for (let i = 0; i < terms.length; i++) {
       const { field, factor } = terms[i]!;
-      missed[i] = Math.abs(factor) * field.missed(x, y, z, radius);
+      const size = Math.abs(factor);
+      missed[i] = size * field.missed(x, y, z, radius, budget / size);
     }
     tally.work += TEST * terms.length;
-    const budget = Math.min(allowed * steep, MOST_MISSED * threshold) - this.error;
     const cut = budget > 0 ? cutFor(missed, budget) : 0;
     const near: NearTerm[] = [];
     let error = this.error;

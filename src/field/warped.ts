@@ -96,9 +96,9 @@ export class Warped implements SkelField {
   }
 
   /** The map keeps quadratics only where it is linear; elsewhere what is missed but beyond a support is not known. */
-  missed(x: number, y: number, z: number, radius: number): number {
+  missed(x: number, y: number, z: number, radius: number, most: number): number {
     this.#see(x, y, z, radius);
-    const missed = this.#skel.missed(seen.x, seen.y, seen.z, seen.reach);
+    const missed = this.#skel.missed(seen.x, seen.y, seen.z, seen.reach, most);
     return seen.isLinear || missed === 0 ? missed : Infinity;
   }
 

@@ -132,7 +132,7 @@ function bind(skel: PolygonSkel, kernel: Kernel, params: KernelParams): SkelFiel
     spread(x, y, z, radius, scale, out) {
       spreader.add(field, x, y, z, radius, scale, out);
     },
-    missed: (x, y, z, radius) => spreader.missed(x, y, z, radius),
+    missed: (x, y, z, radius, most) => spreader.missed(x, y, z, radius, most),
     standIn: (x, y, z, radius, scale, out) => spreader.standIn(field, x, y, z, radius, scale, out),
   };
   return field;

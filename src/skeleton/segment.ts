@@ -110,7 +110,8 @@ class SegmentField implements SkelField {
     // names that the quick form does not have itself
     return Object.assign(quick, {
       box: this.box,
-      missed: (x: number, y: number, z: number, radius: number) => this.missed(x, y, z, radius),
+      missed: (x: number, y: number, z: number, radius: number, most: number) =>
+        this.#spreader.missed(x, y, z, radius, most),
       standIn: (x: number, y: number, z: number, radius: number, factor: number, out: Taylor) =>
         this.#spreader.standIn(quick, x, y, z, radius, factor, out),
       offset: (threshold: number) => this.offset(threshold),
@@ -125,8 +126,8 @@ class SegmentField implements SkelField {
     return spreader.most(0) === 0 ? 0 : this.#unit * reached();
   }
 
-  missed(x: number, y: number, z: number, radius: number): number {
-    return this.#spreader.missed(x, y, z, radius);
+  missed(x: number, y: number, z: number, radius: number, most: number): number {
+    return this.#spreader.missed(x, y, z, radius, most);
   }
 
   standIn(x: number, y: number, z: number, radius: number, factor: number, out: Taylor): number {

@@ -30,8 +30,11 @@ export interface SkelField {
   add(x: number, y: number, z: number, factor: number, out: FieldValue): void;
   /** Adds `factor` times the spread within `radius` mm; exactly nothing beyond a support. */
   spread(x: number, y: number, z: number, radius: number, factor: number, out: Spread): void;
-  /** A bound on what the stand-in misses within `radius` mm, without an evaluation; Infinity where none is known, 0 beyond a support. */
-  missed(x: number, y: number, z: number, radius: number): number;
+  /**
+   * A bound on what the stand-in misses within `radius` mm, without an evaluation; Infinity where none is known or it is surely above
+   * `most`, 0 beyond a support.
+   */
+  missed(x: number, y: number, z: number, radius: number, most: number): number;
   /**
    * Adds `factor` times what may stand for the field within `radius` mm of (x, y, z), about that place: a polynomial of the second
    * degree (points, segments), of the first (polygons), or nothing (kernels that are no powers). Says what it took (work.ts).

@@ -91,7 +91,7 @@ export class Spreader {
   }
 
   /** What `missed` of SkelField says. */
-  missed(x: number, y: number, z: number, radius: number): number {
+  missed(x: number, y: number, z: number, radius: number, most: number): number {
     if (this.#isNothing(x, y, z, radius)) return 0;
     const { change } = this.#kernel;
     const { near } = step;
@@ -100,6 +100,9 @@ export class Spreader {
     }
     if (!sight.isClear || near < this.#least) return Infinity;
     const whole = this.most(step.r * step.r);
+    if (this.#sources) change.cubic(step);
+    else change.factors(step);
+    if (whole * step.bend > most) return Infinity;
     const off = this.#bent(change, whole);
     return (whole + off) * step.bend + off + MARGIN * whole + sight.slack;
   }
