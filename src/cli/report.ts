@@ -1,5 +1,5 @@
 /** What of a drawing is left out, and what is in it. */
-import type { Document, Part } from '../document/document.ts';
+import { type Document, type Part, strokesOf } from '../document/document.ts';
 
 export interface Counts {
   /** kept, hidden ones too */
@@ -12,7 +12,7 @@ export interface Counts {
 }
 
 export function countsOf({ parts, draft }: Document): Counts {
-  const inParts = parts.reduce((sum, { strokes }) => sum + strokes.length, 0);
+  const inParts = parts.reduce((sum, part) => sum + strokesOf(part).length, 0);
   const strokes = inParts + (draft?.strokes.length ?? 0);
   // Bodies are what has components, groups and skels.
   return { parts: parts.length, strokes, components: 0, groups: 0, skels: 0 };

@@ -3,6 +3,7 @@
  * controls; the element draws those from here and calls back. Pointer moves only mark what is stale: the frame
  * does the work, and wet ink is drawn before it.
  */
+import { CELLS } from '../document/bodies.ts';
 import { draftIsWhole, RESOLUTION } from '../document/build.ts';
 import type { Command } from '../document/command/index.ts';
 import { type Brush, type Document, EMPTY_DOCUMENT, readingOf } from '../document/document.ts';
@@ -428,6 +429,8 @@ export class Session implements Bench, Viewport {
   /** What the second line of the status shows. */
   get detail(): string {
     const kind = readingOf(this.document) ?? this.document.parts.at(-1)?.kind;
-    return kind ? `${SURFACE[kind].name} · ${RESOLUTION.u} × ${RESOLUTION.v} mesh` : '';
+    if (!kind) return '';
+    const grid = kind === 'body' ? `${CELLS} cells` : `${RESOLUTION.u} × ${RESOLUTION.v} mesh`;
+    return `${SURFACE[kind].name} · ${grid}`;
   }
 }

@@ -1,9 +1,12 @@
 /** All words of the interface: plain verbs, no exclamation marks. */
+import type { Part } from '../document/document.ts';
 import type { SurfaceKind } from '../surface/index.ts';
 
-export const SURFACE: Readonly<Record<SurfaceKind, { readonly name: string; readonly long: string }>> = {
+/** What parts are called by what they are made of. */
+export const SURFACE: Readonly<Record<Part['kind'], { readonly name: string; readonly long: string }>> = {
   tube: { name: 'Tube', long: 'Tube' },
   rotational: { name: 'Rotational', long: 'Rotational surface' },
+  body: { name: 'Body', long: 'Implicit body' },
 };
 
 export const WORDS = {
@@ -141,6 +144,7 @@ export const PART_WORDS = {
   none: 'No parts yet. Draw a line and keep it.',
   choose: 'Tap a part in the drawing or in the list to select it.',
   strokes: (count: number) => (count === 1 ? '1 stroke' : `${count} strokes`),
+  skels: (count: number) => (count === 1 ? '1 skel' : `${count} skels`),
   triangles: (count: number) => `${String(count).replace(/\B(?=(\d{3})+$)/g, ',')} triangles`,
   hidden: 'hidden',
   hide: (name: string) => `Hide ${name}`,
