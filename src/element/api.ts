@@ -211,6 +211,7 @@ export abstract class SketchApi extends LitElement {
       const known = Object.keys(exporters).join(', ');
       throw new FileError('export', '', `expected one of ${known}, found ${JSON.stringify(format)}`);
     }
+    await this.session.bodies.settled();
     return exporters[format].write(modelOf(this.document, this.session.name));
   }
 
@@ -248,6 +249,7 @@ export abstract class SketchApi extends LitElement {
     // An element that never was on a page never completes an update either.
     if (this.isConnected) await this.updateComplete;
     await this.declared.settled();
+    await this.session.bodies.settled();
     if (!this.isConnected)
       throw new Error('rotund-sketch: there is a picture only of an element that is on a page.');
     const scene = await this.scene.get();
