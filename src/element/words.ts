@@ -88,7 +88,6 @@ export const FILE_WORDS = {
   file: 'the file',
   gallery: 'Or open one',
   galleryMore: 'and look how it was drawn',
-  strokes: (count: number) => (count === 1 ? '1 stroke' : `${count} strokes`),
   tray: { none: '', saved: 'Saved', kept: 'Kept', saving: 'Saving', unsaved: 'Not saved' },
   opening: (name: string) => `Opening ${name}`,
   opened: (name: string, covers: boolean) =>
