@@ -146,7 +146,7 @@ export const PART_WORDS = {
   none: 'No parts yet. Draw a line and keep it.',
   choose: 'Tap a part in the drawing or in the list to select it.',
   strokes: (count: number) => (count === 1 ? '1 stroke' : `${count} strokes`),
-  skels: (count: number) => (count === 1 ? '1 skel' : `${count} skels`),
+  skels: (count: number) => (count === 0 ? 'shapes only' : count === 1 ? '1 skel' : `${count} skels`),
   triangles: (count: number) => `${String(count).replace(/\B(?=(\d{3})+$)/g, ',')} triangles`,
   hidden: 'hidden',
   hide: (name: string) => `Hide ${name}`,
