@@ -203,7 +203,7 @@ export abstract class SketchApi extends LitElement {
 
   /**
    * The kept, visible parts as files for other programs: `obj`, `glb`, `stl` or `ply`. The first file is the one asked
-   * for, others lie beside it.
+   * for, others lie beside it; waits for bodies that are being made.
    */
   async export(format: Format): Promise<readonly OutFile[]> {
     const { exporters, modelOf } = await import('../export/index.ts');
@@ -244,7 +244,7 @@ export abstract class SketchApi extends LitElement {
     this.session.select(checkedIds(ids));
   }
 
-  /** A PNG of exactly this size, of the kept parts, nothing selected; waits for `src` and for the scene. */
+  /** A PNG of exactly this size, of the kept parts, nothing selected; waits for `src`, for bodies and for the scene. */
   async picture(shot: Shot = {}): Promise<Blob> {
     // An element that never was on a page never completes an update either.
     if (this.isConnected) await this.updateComplete;
