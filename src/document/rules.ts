@@ -13,7 +13,7 @@ import type { Stroke } from '../stroke/stroke.ts';
 import { surfaces } from '../surface/index.ts';
 import { belongTogether } from './command/addStroke.ts';
 import type { BodyPart, Document, Draft, Part, SurfacePart } from './document.ts';
-import { UNIT_TOLERANCE } from './limits.ts';
+import { LIMITS, UNIT_TOLERANCE } from './limits.ts';
 import { type Fault, pathTo } from './samples.ts';
 import { isTooLarge, SIZE } from './size.ts';
 import { WORD } from './words.ts';
@@ -77,6 +77,13 @@ export const eitherOf = <T extends object>(one: string, other: string) =>
   rule<T>((value) => {
     if (one in value !== other in value) return null;
     return { expected: `${one} or ${other}, one of the two`, path: [] };
+  });
+
+/** A curve is cut into so many segments a piece that there is room for them. */
+export const cutInBounds = <T extends { readonly points: readonly unknown[]; readonly density: number }>() =>
+  rule<T>(({ points, density }) => {
+    if (points.length * density <= LIMITS.skels) return null;
+    return { expected: `at most ${LIMITS.skels} segments, points times density`, path: ['density'] };
   });
 
 /** A tree that makes a field; what is wrong with it is said where fields are made. */

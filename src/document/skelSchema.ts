@@ -2,7 +2,7 @@
 import * as v from 'valibot';
 import { fields, finite, flag, list, number, numbers } from './fields.ts';
 import { LIMITS } from './limits.ts';
-import { eitherOf } from './rules.ts';
+import { cutInBounds, eitherOf } from './rules.ts';
 
 const vec2 = numbers(2);
 const vec3 = numbers(3);
@@ -56,12 +56,15 @@ export const skel = v.variant(
       weight: finite,
     }),
     weighted('polyline', { points, closed: flag }),
-    weighted('nurbs', {
-      points,
-      rational: v.exactOptional(some),
-      knots: v.exactOptional(some),
-      density: finite,
-    }),
+    v.pipe(
+      weighted('nurbs', {
+        points,
+        rational: v.exactOptional(some),
+        knots: v.exactOptional(some),
+        density: finite,
+      }),
+      cutInBounds(),
+    ),
     kind('profile', { points, curve }),
     weighted('arc', { centre: vec3, start: vec3, axis: vec3, angle: finite, ...fidelity }),
     kind('quadratic', { points, weights: some, ...fidelity }),

@@ -173,8 +173,22 @@ describe('what is wrong is said with its place', () => {
       { type: 'affine', matrix: [1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0], node: body({}) },
       '.node: makes no field: matrix flattens space',
     ],
+    [
+      term({ type: 'nurbs', points: [], radii: [], density: 1e9 }),
+      '.node.skels[0]: makes no field: a cubic curve needs 4 control points, got 0',
+    ],
   ])('%j', (node, message) => {
     expect(refusal(file(node))).toBe(`x.rotund, document.parts[0]${message}`);
+  });
+
+  it('where a curve would be cut into more segments than there is room for', () => {
+    const points = Array.from({ length: 1000 }, (_, i) => [i, 0, 0]);
+    const radii = points.map(() => 1);
+    const curve = (density: number) => file(term({ type: 'nurbs', points, radii, density }));
+    expect(refusal(curve(200))).toBe(
+      'x.rotund, document.parts[0].node.skels[0].skel.density: expected at most 100000 segments, points times density, found 200',
+    );
+    expect(refusal(curve(2))).toBe('read');
   });
 
   it('in scripts and at the border of the element alike', () => {
