@@ -1,6 +1,7 @@
 /** Parts in the hand: selected, named, coloured, hidden, moved, slid and deleted, with pen, fingers, mouse and keys. */
 import AxeBuilder from '@axe-core/playwright';
 import { expect, type Page, test } from '@playwright/test';
+import { colourOf } from '../../src/document/document.ts';
 import { middleOf } from '../../src/document/extent.ts';
 import { PenDriver, type Point } from '../pen.ts';
 import { takePicture } from '../picture.ts';
@@ -46,7 +47,7 @@ async function open(page: Page, address = '/'): Promise<void> {
 interface Facts {
   readonly names: readonly string[];
   readonly hidden: readonly boolean[];
-  readonly colours: readonly string[];
+  readonly colours: readonly (string | null)[];
   readonly selection: readonly string[];
   /** of the parts' boxes, mm */
   readonly middles: readonly (readonly number[])[];
@@ -65,7 +66,7 @@ async function facts(page: Page): Promise<Facts> {
   return {
     names: parts.map(({ name }) => name),
     hidden: parts.map(({ hidden }) => hidden),
-    colours: parts.map(({ brush }) => brush.colour),
+    colours: parts.map(colourOf),
     selection,
     middles: parts.map((part) => middleOf(part)!),
     steps,
@@ -182,14 +183,18 @@ test('colour and radius of what is selected; a drag of the slider is one undo st
   expect((await facts(page)).colours).toEqual(['#d9cb4a', '#c8402f']);
   await page.evaluate(() => {
     const { session } = document.querySelector('rotund-sketch')!;
-    const { strokes } = session.document.parts[0]!;
-    session.run({ type: 'addStroke', stroke: strokes[0]! });
+    const [part] = session.document.parts;
+    if (part?.kind === 'tube' || part?.kind === 'rotational')
+      session.run({ type: 'addStroke', stroke: part.strokes[0]! });
     session.keep();
   });
   await page.getByRole('row', { name: /^Tube/ }).click();
   const { steps } = await facts(page);
   const radius = () =>
-    page.evaluate(() => document.querySelector('rotund-sketch')!.document.parts[2]!.brush.radius);
+    page.evaluate(() => {
+      const part = document.querySelector('rotund-sketch')!.document.parts[2];
+      return part?.kind === 'tube' ? part.brush.radius : 0;
+    });
   const before = await radius();
   const slider = page.getByRole('slider', { name: /^Radius of/ });
   await slider.scrollIntoViewIfNeeded();

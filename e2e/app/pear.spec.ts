@@ -1,6 +1,7 @@
 /** The thesis' pear with a real pen on software WebGPU: parts, volumes, undo, back end, and the picture itself. */
 import { expect, type Page, test } from '@playwright/test';
 import { solids } from '../../src/document/build.ts';
+import { strokesOf } from '../../src/document/document.ts';
 import { topology } from '../../src/mesh/check.ts';
 import { volume } from '../../src/mesh/measure.ts';
 import { BODY, STEM } from '../pear.ts';
@@ -30,7 +31,7 @@ async function facts(page: Page): Promise<PartFacts[]> {
   const drawing = await page.evaluate(() => document.querySelector('rotund-sketch')!.document);
   return solids(drawing).map(({ mesh, kind }, i) => {
     const { watertight, genus } = topology(mesh);
-    return { kind, strokes: drawing.parts[i]!.strokes.length, volume: volume(mesh), watertight, genus };
+    return { kind, strokes: strokesOf(drawing.parts[i]!).length, volume: volume(mesh), watertight, genus };
   });
 }
 

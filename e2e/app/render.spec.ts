@@ -34,9 +34,11 @@ test.beforeAll(() => {
 });
 test.afterAll(() => rmSync(folder, { recursive: true, force: true }));
 
-function rendered(...options: readonly string[]) {
+const rendered = (...options: readonly string[]) => renderedFile(join(folder, 'ball.rotund'), ...options);
+
+function renderedFile(file: string, ...options: readonly string[]) {
   const out = join(folder, 'out.png');
-  const args = ['scripts/rotund.mjs', 'render', join(folder, 'ball.rotund'), '-o', out, ...options];
+  const args = ['scripts/rotund.mjs', 'render', file, '-o', out, ...options];
   const stdout = execFileSync(process.execPath, args, {
     encoding: 'utf8',
     stdio: ['ignore', 'pipe', 'ignore'],
@@ -106,6 +108,20 @@ test('a side is what is seen, the whole is framed, and the element has the same 
   expect(Math.abs(row.indexOf(true) + row.lastIndexOf(true) - 399)).toBeLessThanOrEqual(2);
   const expected = await ofElement(page, { width: 400, height: 200, camera: 'front', style: 'toon' });
   expect(differing(png, expected)).toBeLessThan(0.001 * 400 * 200);
+});
+
+test('bodies are in the picture', () => {
+  test.setTimeout(240_000);
+  const { png } = renderedFile('public/samples/whale.rotund', '--size', '320x240', '--camera', 'front');
+  const picture = readPicture(png);
+  let blue = 0;
+  for (let y = 0; y < 240; y++)
+    for (let x = 0; x < 320; x++) {
+      const [r, , b] = picture.at(x, y);
+      if (b - r > 60) blue++;
+    }
+  // its side fills a good part of the frame
+  expect(blue).toBeGreaterThan(0.1 * 320 * 240);
 });
 
 test('a browser that is not there is asked for by name', () => {

@@ -6,6 +6,7 @@ import { extname, join, resolve } from 'node:path';
 import { expect, test } from '@playwright/test';
 import { EMPTY_DRAWING } from '../../src/document/drawing.ts';
 import { replay, serialize } from '../../src/document/serialize.ts';
+import type { RotundSketch } from '../../src/element/rotundSketch.ts';
 import type { Stroke } from '../../src/stroke/stroke.ts';
 import { type Stage, stagePackage } from '../../tests/package/stage.ts';
 import { readPicture } from '../picture.ts';
@@ -70,6 +71,11 @@ function form() {
   return replay([add(-20), add(20), { type: 'keep' }]);
 }
 
+const BALL = {
+  type: 'addBody',
+  node: { type: 'shape', shape: { type: 'sphere', radius: 30 }, colour: [0.7, 0.05, 0.02] },
+} as const;
+
 const TYPES: Readonly<Record<string, string>> = { '.html': 'text/html', '.js': 'text/javascript' };
 
 function serve(folder: string): Server {
@@ -101,6 +107,18 @@ test('an installed package draws a document', async ({ page }) => {
   };
   await expect.poll(() => saturation(160, 160)).toBeGreaterThan(60);
   expect(await saturation(40, 160)).toBeLessThan(40);
+  // Bodies are made by the worker that the package brings along.
+  const worker = page.waitForEvent('worker');
+  await sketch.evaluate(
+    async (element, text) => {
+      const found = element as RotundSketch;
+      await found.load(text);
+      await found.export('stl');
+    },
+    serialize({ ...EMPTY_DRAWING, document: replay([BALL]) }),
+  );
+  await worker;
+  await expect.poll(() => saturation(160, 160)).toBeGreaterThan(60);
   expect(complaints).toEqual([]);
   expect([...new Set(asked)]).toEqual(['localhost']);
 });

@@ -1,8 +1,9 @@
 /** `rotund mesh`: replays a drawing or a script and writes its solids. */
 import { hasSurface, type Resolution, type Solid, solidOf } from '../document/build.ts';
-import type { Document, Part } from '../document/document.ts';
+import { type Document, isBody, type Part } from '../document/document.ts';
 import { ExportError, modelOf, type OutFile } from '../export/index.ts';
 import { type Args, inputOf } from './args.ts';
+import { type BodyMaker, bodyMaker } from './bodyMaker.ts';
 import { MESH } from './commands.ts';
 import { readInput } from './input.ts';
 import { measuresOf, type PartMeasures, total } from './measures.ts';
@@ -19,41 +20,63 @@ export async function mesh(args: Args): Promise<void> {
   const out = outputOf(values.output, MESH.synopsis);
   const exporter = exporterOf(out);
   const quads = surfaceResolution(values['surface-resolution']);
-  resolution(values.resolution);
-  backend(values.backend);
+  const make = bodyMaker(backend(values.backend));
+  const cells = resolution(values.resolution);
   checkOutput(out, input);
   const { drawing, name } = await readInput(input);
   const { document } = drawing;
-  const parts = measuredParts(document, quads, name);
+  const building = { name, quads, cells, make };
+  const { parts, fieldEvaluations } = await measuredParts(document, building);
   if (parts.length === 0) throw new Problem(`${name}: nothing to export: ${nothingBecause(document)}`);
   const files = await exporter.write(modelOf(document, stemOf(out), quads)).catch((error: unknown) => {
     throw error instanceof ExportError ? new Problem(`${name}: ${error.message}`) : error;
   });
   writeOutputs(placed(files, out, input));
   const milliseconds = Math.round(performance.now() - started);
-  result({ ...total(parts), milliseconds, fieldEvaluations: 0, parts });
+  result({ ...total(parts), milliseconds, fieldEvaluations, parts });
+}
+
+interface Building {
+  /** of the input */
+  readonly name: string;
+  readonly quads: Resolution;
+  readonly cells: number;
+  readonly make: BodyMaker;
+}
+
+interface Measured {
+  readonly parts: readonly PartMeasures[];
+  readonly fieldEvaluations: number;
 }
 
 /** Builds part by part, so that it can be said how far it is; what is built is kept for the exporter. */
-function measuredParts(document: Document, quads: Resolution, name: string): PartMeasures[] {
+async function measuredParts(document: Document, building: Building): Promise<Measured> {
   for (const warning of leftOut(document)) say(`rotund: ${warning}`);
   const shown = document.parts.filter(({ hidden }) => !hidden);
   const done = progress('parts meshed', shown.length);
   const found: PartMeasures[] = [];
   const without: Part[] = [];
-  shown.forEach((part, i) => {
-    const solid = built(part, quads, name);
+  let fieldEvaluations = 0;
+  for (const [i, part] of shown.entries()) {
+    const { solid, evaluations } = await built(part, building);
+    fieldEvaluations += evaluations;
     if (hasSurface(solid)) found.push(measuresOf(solid));
     else without.push(part);
     done(i + 1);
-  });
+  }
   for (const warning of withoutSurface(without)) say(`rotund: ${warning}`);
-  return found;
+  return { parts: found, fieldEvaluations };
 }
 
-function built(part: Part, quads: Resolution, name: string): Solid | null {
+interface Built {
+  readonly solid: Solid | null;
+  readonly evaluations: number;
+}
+
+async function built(part: Part, { name, quads, cells, make }: Building): Promise<Built> {
   try {
-    return solidOf(part, quads);
+    const evaluations = isBody(part) ? (await make(part.node, cells)).evaluations : 0;
+    return { solid: solidOf(part, quads), evaluations };
   } catch (error) {
     const reason = error instanceof Error ? error.message : String(error);
     throw new Problem(`${name}, part “${part.name}”: its surface cannot be built: ${reason}`);

@@ -1,21 +1,20 @@
 /** What of a drawing is left out, and what is in it. */
-import type { Document, Part } from '../document/document.ts';
+import { type BodyCounts, bodyCounts, sumOf } from '../document/bodyCounts.ts';
+import { type Document, isBody, type Part, strokesOf } from '../document/document.ts';
 
-export interface Counts {
+/** Components, groups and skels are those of bodies. */
+export interface Counts extends BodyCounts {
   /** kept, hidden ones too */
   readonly parts: number;
   /** of all parts and of the unfinished form */
   readonly strokes: number;
-  readonly components: number;
-  readonly groups: number;
-  readonly skels: number;
 }
 
 export function countsOf({ parts, draft }: Document): Counts {
-  const inParts = parts.reduce((sum, { strokes }) => sum + strokes.length, 0);
+  const inParts = parts.reduce((sum, part) => sum + strokesOf(part).length, 0);
   const strokes = inParts + (draft?.strokes.length ?? 0);
-  // Bodies are what has components, groups and skels.
-  return { parts: parts.length, strokes, components: 0, groups: 0, skels: 0 };
+  const bodies = parts.filter(isBody).map(({ node }) => bodyCounts(node));
+  return { parts: parts.length, strokes, ...sumOf(bodies) };
 }
 
 /** What neither meshes nor pictures show. */
@@ -32,8 +31,11 @@ export function leftOut({ parts, draft }: Document): string[] {
 
 /** Parts that are shown but have no surface. */
 export function withoutSurface(parts: readonly Part[]): string[] {
-  if (parts.length === 0) return [];
-  return [`${counted(parts, 'part')} left out, because the strokes make no surface: ${namesOf(parts)}`];
+  const bodies = parts.filter(isBody);
+  const surfaces = parts.filter((part) => !isBody(part));
+  const left = (some: readonly Part[], why: string) =>
+    some.length > 0 ? [`${counted(some, 'part')} left out, because ${why}: ${namesOf(some)}`] : [];
+  return [...left(surfaces, 'the strokes make no surface'), ...left(bodies, NOWHERE)];
 }
 
 /** Why there is nothing at all. */
@@ -42,8 +44,10 @@ export function nothingBecause({ parts, draft }: Document): string {
     return draft ? 'the drawing holds an unfinished form only; keep it first' : 'the drawing has no parts';
   }
   if (parts.every(({ hidden }) => hidden)) return 'all parts are hidden';
-  return 'the strokes of its parts make no surface';
+  return parts.some(isBody) ? 'its parts make no surface' : 'the strokes of its parts make no surface';
 }
+
+const NOWHERE = 'the field is nowhere above 0, or only where no cell sees it';
 
 const counted = (parts: readonly Part[], what: string): string =>
   parts.length === 1 ? `1 ${what} is` : `${parts.length} ${what}s are`;

@@ -1,4 +1,5 @@
 /** Values of options: what is written on the command line, checked. */
+import { CELLS } from '../document/bodies.ts';
 import { RESOLUTION, type Resolution } from '../document/build.ts';
 import { PICTURE_SIDE, STYLES, type Style } from '../document/look.ts';
 import { type Exporter, exporters, type Format } from '../export/index.ts';
@@ -10,7 +11,7 @@ interface Range {
 }
 
 const SURFACE: Range = { least: 4, most: 1024 };
-const CELLS: Range = { least: 8, most: 1024 };
+const CELL_RANGE: Range = { least: 8, most: 1024 };
 
 export interface Size {
   readonly width: number;
@@ -24,9 +25,9 @@ export function surfaceResolution(text: string | undefined): Resolution {
   return u === RESOLUTION.u && v === RESOLUTION.v ? RESOLUTION : { u, v };
 }
 
-/** Cells along a body's longest side; checked although no drawing has bodies yet. */
+/** Cells along a body's longest side. */
 export function resolution(text: string | undefined): number {
-  return text === undefined ? 128 : pair('--resolution', text, 1, CELLS, '128')[0];
+  return text === undefined ? CELLS : pair('--resolution', text, 1, CELL_RANGE, '128')[0];
 }
 
 export function size(text: string | undefined): Size {
@@ -66,9 +67,11 @@ export function mode(text: string | undefined): void {
   if (text !== undefined && text !== 'mesh') throw new Problem(`--mode: expected mesh; found '${text}'`);
 }
 
-export function backend(text: string | undefined): void {
-  if (text === 'gpu') throw new Problem('--backend gpu does not exist yet; meshes are computed on the cpu');
-  if (text !== undefined && text !== 'cpu') throw new Problem(`--backend: expected cpu; found '${text}'`);
+export type Backend = 'cpu' | 'gpu';
+
+export function backend(text: string | undefined): Backend {
+  if (text === undefined || text === 'cpu' || text === 'gpu') return text ?? 'cpu';
+  throw new Problem(`--backend: expected cpu or gpu; found '${text}'`);
 }
 
 const FUTURE_FORMATS: readonly string[] = ['3mf'];

@@ -1,6 +1,7 @@
 /**
  * From strokes to meshes: everything derived from a document, cached by reference. An unchanged part is never
- * filtered or meshed twice, because commands share what they do not touch.
+ * filtered or meshed twice, because commands share what they do not touch. Bodies take longer: they are made beside
+ * (`bodies.ts`), and show what was made last.
  */
 import type { Mesh } from '../mesh/mesh.ts';
 import { placed } from '../mesh/placed.ts';
@@ -9,7 +10,16 @@ import type { Curve } from '../stroke/curve.ts';
 import { filterStroke } from '../stroke/filter.ts';
 import type { Stroke } from '../stroke/stroke.ts';
 import { buildSurface, type SurfaceKind } from '../surface/index.ts';
-import { type Brush, type Document, type Part, readingOf } from './document.ts';
+import { bodyMade } from './bodies.ts';
+import {
+  type Brush,
+  colourOf,
+  type Document,
+  isBody,
+  type Part,
+  readingOf,
+  type SurfacePart,
+} from './document.ts';
 import { FRONT_VIEW } from './drawing.ts';
 
 /** Quads along and around a parametric surface. */
@@ -24,7 +34,8 @@ export const RESOLUTION: Resolution = { u: 64, v: 64 };
 export interface Solid {
   readonly id: string;
   readonly name: string;
-  readonly kind: SurfaceKind;
+  readonly kind: Part['kind'];
+  /** #rrggbb; where the mesh has colours of its own those count */
   readonly colour: string;
   readonly mesh: Mesh;
 }
@@ -68,8 +79,12 @@ interface Shape {
 // By strokes, so that a part that is moved, hidden, named or coloured is not filtered and meshed again.
 const shapes = new WeakMap<readonly Stroke[], Shape[]>();
 
-/** A kept part where it was drawn; null when its strokes are too short. */
-export function shapeOf({ kind, strokes, brush }: Part, resolution: Resolution = RESOLUTION): Mesh | null {
+/** A kept part where it was drawn; null when its strokes are too short, or the body is not made yet. */
+export function shapeOf(part: Part, resolution: Resolution = RESOLUTION): Mesh | null {
+  return isBody(part) ? (bodyMade(part.node)?.mesh ?? null) : surfaceOf(part, resolution);
+}
+
+function surfaceOf({ kind, strokes, brush }: SurfacePart, resolution: Resolution): Mesh | null {
   const key = JSON.stringify([{ ...brush, colour: '' }, resolution]);
   const known = shapes.get(strokes) ?? [];
   const found = known.find((shape) => shape.kind === kind && shape.key === key);
@@ -82,17 +97,30 @@ export function shapeOf({ kind, strokes, brush }: Part, resolution: Resolution =
 /** of the same strokes: a slider that goes back and forth finds what it showed before */
 const KEPT_SHAPES = 4;
 
-const parts = new WeakMap<Part, Solid | null>();
+/** By what a part's mesh depends on beside the part. */
+const parts = new WeakMap<Part, { readonly source: object | null; readonly solid: Solid | null }>();
 
-/** A kept part as a mesh, where it was moved to; null when its strokes are too short. */
+/** A kept part as a mesh, where it was moved to; null when there is none (see `shapeOf`). */
 export function solidOf(part: Part, resolution: Resolution = RESOLUTION): Solid | null {
+  const source = isBody(part) ? bodyMade(part.node) : resolution;
   const known = parts.get(part);
-  if (known !== undefined && resolution === RESOLUTION) return known;
+  if (known && known.source === source) return known.solid;
   const mesh = shapeOf(part, resolution);
-  const { id, name, kind, brush } = part;
-  const solid = mesh && { id, name, kind, colour: brush.colour, mesh: placed(mesh, part.placement) };
-  if (resolution === RESOLUTION) parts.set(part, solid);
+  const { id, name, kind } = part;
+  const solid = mesh && { id, name, kind, ...painted(part, mesh) };
+  parts.set(part, { source, solid });
   return solid;
+}
+
+/** of bodies nobody painted, #rrggbb: what a tree takes for it (field/bind.ts), as it is shown */
+export const CLAY = '#cbcbcb';
+
+/** In its place; one colour covers those of the mesh. */
+function painted(part: Part, shape: Mesh): Pick<Solid, 'colour' | 'mesh'> {
+  const colour = colourOf(part);
+  const { colours, ...plain } = shape;
+  const mesh = colour === null || !colours ? shape : plain;
+  return { colour: colour ?? CLAY, mesh: placed(mesh, part.placement) };
 }
 
 /** The kept parts that are not hidden, as meshes. */

@@ -10,6 +10,7 @@ import type { Document } from './document.ts';
 import type { Drawing } from './drawing.ts';
 import { FileError, placeOf, shown } from './fileError.ts';
 import { commands as commandsSchema, drawing as drawingSchema } from './fileSchema.ts';
+import { REFUSED } from './rules.ts';
 import { document as documentSchema, stroke as strokeSchema } from './schema.ts';
 import { GROWING, isTooLarge, SIZE } from './size.ts';
 
@@ -25,7 +26,7 @@ export function checked<S extends v.GenericSchema>(
   value: unknown,
   { file, path = [] }: Whereabouts,
 ): v.InferOutput<S> {
-  const result = v.safeParse(schema, value, { abortEarly: true });
+  const result = parsed(schema, value, { file, path });
   if (result.success) return result.output;
   const issue = result.issues[0];
   const steps = issue.path ?? [];
@@ -34,8 +35,19 @@ export function checked<S extends v.GenericSchema>(
   if (issue.expected === 'never' && issue.type === 'strict_object') {
     throw expected(file, [...path, ...keys.slice(0, -1)], issue.message, keys.at(-1));
   }
+  if (issue.received === REFUSED) throw new FileError(file, placeOf([...path, ...keys]), issue.message);
   const found = steps.length ? steps.at(-1)?.value : value;
   throw expected(file, [...path, ...keys], issue.message, found);
+}
+
+function parsed<S extends v.GenericSchema>(schema: S, value: unknown, { file, path = [] }: Whereabouts) {
+  try {
+    return v.safeParse(schema, value, { abortEarly: true });
+  } catch (error) {
+    // trees in trees, without end perhaps
+    if (!(error instanceof RangeError)) throw error;
+    throw expected(file, path, 'data that this machine has room for', value);
+  }
 }
 
 function expected(file: string, path: readonly PropertyKey[], what: string, found: unknown): FileError {

@@ -3,7 +3,8 @@ import * as v from 'valibot';
 import type { Command } from './command/index.ts';
 import { fields, flag, list, text } from './fields.ts';
 import { LIMITS } from './limits.ts';
-import { brushChange, document, name, placement, point, stroke } from './schema.ts';
+import { node } from './nodeSchema.ts';
+import { brushChange, colour, document, name, placement, point, stroke } from './schema.ts';
 
 const ids = list(name, LIMITS.strokes, 'ids');
 
@@ -12,6 +13,11 @@ const kind = <const T extends Command['type'], const E extends v.ObjectEntries>(
 
 const kinds = [
   kind('addStroke', { stroke }),
+  kind('addBody', {
+    node,
+    name: v.exactOptional(v.string('a text')),
+    colour: v.exactOptional(colour),
+  }),
   kind('keep', {}),
   kind('drop', {}),
   kind('setBrush', { change: brushChange }),

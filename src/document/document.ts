@@ -1,7 +1,8 @@
 /**
- * A document is plain immutable data: the strokes people drew and what they asked for. Surfaces, meshes and
- * pictures are derived (`build.ts`) and never stored, so every stroke stays editable.
+ * A document is plain immutable data: the strokes people drew, the trees of bodies, and what people asked for. Surfaces,
+ * meshes and pictures are derived (`build.ts`) and never stored, so every stroke stays editable.
  */
+import type { FieldNode } from '../field/node.ts';
 import type { Placement } from '../math/placement.ts';
 import type { FilterOptions } from '../stroke/filter.ts';
 import type { Stroke } from '../stroke/stroke.ts';
@@ -22,17 +23,40 @@ export interface Brush {
   readonly levels: number;
 }
 
-/** One kept form. */
-export interface Part {
+/** What every part has, whatever it is made of. */
+interface Kept {
   readonly id: string;
   readonly name: string;
-  readonly kind: SurfaceKind;
-  readonly strokes: readonly Stroke[];
-  readonly brush: Brush;
   /** where it was moved to from where it was drawn */
   readonly placement: Placement;
   readonly hidden: boolean;
 }
+
+/** A surface made from the strokes of one form. */
+export interface SurfacePart extends Kept {
+  readonly kind: SurfaceKind;
+  readonly strokes: readonly Stroke[];
+  readonly brush: Brush;
+}
+
+/** An implicit body: the surface of a field. */
+export interface BodyPart extends Kept {
+  readonly kind: 'body';
+  readonly node: FieldNode;
+  /** #rrggbb of all of it; null: as its tree is painted. The mesh does not depend on it. */
+  readonly colour: string | null;
+}
+
+/** One kept form. */
+export type Part = SurfacePart | BodyPart;
+
+export const isBody = (part: Part): part is BodyPart => part.kind === 'body';
+
+/** #rrggbb; null where a part has several. */
+export const colourOf = (part: Part): string | null => (isBody(part) ? part.colour : part.brush.colour);
+
+/** What a part is made of. */
+export const strokesOf = (part: Part): readonly Stroke[] => (isBody(part) ? [] : part.strokes);
 
 /** The unfinished form: strokes not yet kept. It takes the document's brush until then. */
 export interface Draft {

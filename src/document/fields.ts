@@ -17,6 +17,16 @@ export function whole(range: Range) {
   return v.pipe(number(range, expected), v.integer(expected));
 }
 
+export const finite = v.pipe(v.number('a finite number'), v.finite('a finite number'));
+
+/** A list of just so many numbers. */
+export function numbers(count: number) {
+  const expected = `${COUNTS[count] ?? count} finite numbers`;
+  return v.pipe(v.array(finite, expected), v.length(count, expected));
+}
+
+const COUNTS: Readonly<Record<number, string>> = { 2: 'two', 3: 'three' };
+
 export const flag = v.boolean('true or false');
 
 export const oneOf = <const T extends readonly string[]>(options: T) =>

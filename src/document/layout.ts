@@ -6,6 +6,11 @@
 /** Characters of a line. */
 const WIDTH = 140;
 
+/** of the margin: trees of bodies go deeper than a page is wide */
+const WIDEST = 40;
+
+const deeper = (indent: string): string => (indent.length < WIDEST ? `${indent}  ` : indent);
+
 /** Numbers are finite; a list under the key `samples` holds rows of numbers. */
 export function layout(value: unknown): string {
   return `${format(value, '', '')}\n`;
@@ -13,17 +18,17 @@ export function layout(value: unknown): string {
 
 function format(value: unknown, key: string, indent: string): string {
   if (Array.isArray(value)) {
-    if (key === 'samples') return packed(value as readonly (readonly number[])[], `${indent}  `);
+    if (key === 'samples') return packed(value as readonly (readonly number[])[], indent);
     return bracketed(
       '[]',
-      value.map((item) => format(item, '', `${indent}  `)),
+      value.map((item) => format(item, '', deeper(indent))),
       indent,
     );
   }
   if (typeof value !== 'object' || value === null) return scalar(value);
   const fields = Object.entries(value).filter(([, field]) => field !== undefined);
   const lines = fields.map(
-    ([name, field]) => `${JSON.stringify(name)}: ${format(field, name, `${indent}  `)}`,
+    ([name, field]) => `${JSON.stringify(name)}: ${format(field, name, deeper(indent))}`,
   );
   return bracketed('{}', lines, indent);
 }
@@ -38,11 +43,13 @@ function bracketed(brackets: '[]' | '{}', items: readonly string[], indent: stri
   if (length <= WIDTH && !items.some((item) => item.includes('\n'))) {
     return `${open}${pad}${items.join(', ')}${pad}${close}`;
   }
-  return `${open}\n${indent}  ${items.join(`,\n${indent}  `)}\n${indent}${close}`;
+  const inner = deeper(indent);
+  return `${open}\n${inner}${items.join(`,\n${inner}`)}\n${indent}${close}`;
 }
 
 /** As many rows a line as it has room for. */
-function packed(rows: readonly (readonly number[])[], indent: string): string {
+function packed(rows: readonly (readonly number[])[], outer: string): string {
+  const indent = deeper(outer);
   const lines: string[] = [];
   let line = '';
   for (const row of rows) {
@@ -52,5 +59,5 @@ function packed(rows: readonly (readonly number[])[], indent: string): string {
       line = text;
     } else line += line ? `,${text}` : text;
   }
-  return `[\n${indent}${[...lines, line].join(`,\n${indent}`)}\n${indent.slice(2)}]`;
+  return `[\n${indent}${[...lines, line].join(`,\n${indent}`)}\n${outer}]`;
 }

@@ -45,14 +45,16 @@ export const LIMITS = {
   bytes: 256 * 1024 * 1024,
   /** characters of a file */
   text: 64 * 1024 * 1024,
-  /** lists and objects inside each other; a script that loads a document has 9 */
-  depth: 32,
+  /** lists and objects inside each other: a tree of 200 nodes takes two each, a script that loads a document 16 more */
+  depth: 420,
   commands: 50_000,
   /** in a document */
   strokes: 10_000,
+  /** in a sum of a body, or parts of one of its operations */
+  skels: 100_000,
   /** in a stroke: 7 minutes of a pen that reports 240 times a second */
   samples: 100_000,
-  /** in a document: what is read can be saved, within the characters of a file, and be read again */
+  /** in a document, values of bodies among them: what is read can be saved, within the characters of a file, and be read again */
   samplesInAll: 400_000,
   /** characters: ids and names of parts */
   name: LONGEST_NAME,

@@ -3,14 +3,17 @@
  * ids differ. A JSON Schema cannot say it either; `docs/format.md` lists these rules.
  */
 import * as v from 'valibot';
+import { bindField } from '../field/bind.ts';
+import type { FieldNode } from '../field/node.ts';
 import type { Plane } from '../math/plane.ts';
 import { dot3, length3 } from '../math/tuple.ts';
 import type { Quat } from '../math/vec.ts';
+import { FieldError } from '../skeleton/skeleton.ts';
 import type { Stroke } from '../stroke/stroke.ts';
 import { surfaces } from '../surface/index.ts';
 import { belongTogether } from './command/addStroke.ts';
-import type { Document, Draft, Part } from './document.ts';
-import { UNIT_TOLERANCE } from './limits.ts';
+import type { BodyPart, Document, Draft, Part, SurfacePart } from './document.ts';
+import { LIMITS, UNIT_TOLERANCE } from './limits.ts';
 import { type Fault, pathTo } from './samples.ts';
 import { isTooLarge, SIZE } from './size.ts';
 import { WORD } from './words.ts';
@@ -18,13 +21,17 @@ import { WORD } from './words.ts';
 /** A rule as a step of a schema; it is asked only where every field is what it should be. */
 function rule<T>(fault: (value: T) => Fault | null) {
   return v.rawCheck<T>(({ dataset, addIssue }) => {
-    if (!dataset.typed) return;
+    if (!dataset.typed || dataset.issues) return;
     const found = fault(dataset.value);
     if (!found) return;
-    const { expected, path } = found;
-    addIssue(path.length ? { message: expected, path: pathTo(dataset.value, path) } : { message: expected });
+    const { expected, path, refused } = found;
+    const said = { message: refused ?? expected, ...(refused && { received: REFUSED }) };
+    addIssue(path.length ? { ...said, path: pathTo(dataset.value, path) } : said);
   });
 }
+
+/** Marks a message that says all, without what was expected and found. */
+export const REFUSED = 'refused';
 
 const isNear = (value: number, wanted: number): boolean => Math.abs(value - wanted) <= UNIT_TOLERANCE;
 
@@ -48,7 +55,7 @@ function strayIn(strokes: readonly Stroke[]): Fault | null {
   return i < 0 ? null : { expected, path: ['strokes', i] };
 }
 
-export const partRules = <T extends Pick<Part, 'kind' | 'strokes'>>() =>
+export const partRules = <T extends Pick<SurfacePart, 'kind' | 'strokes'>>() =>
   rule<T>(({ kind, strokes }) => {
     const { strokes: count } = surfaces[kind];
     if (strokes.length === count) return strayIn(strokes);
@@ -65,12 +72,44 @@ export const draftRules = <T extends Draft>() =>
     return { expected: `1 to ${MOST_STROKES} strokes, else null for the whole draft`, path: ['strokes'] };
   });
 
+/** One of two fields is there, and not the other. */
+export const eitherOf = <T extends object>(one: string, other: string) =>
+  rule<T>((value) => {
+    if (one in value !== other in value) return null;
+    return { expected: `${one} or ${other}, one of the two`, path: [] };
+  });
+
+/** A curve is cut into so many segments a piece that there is room for them. */
+export const cutInBounds = <T extends { readonly points: readonly unknown[]; readonly density: number }>() =>
+  rule<T>(({ points, density }) => {
+    if (points.length * density <= LIMITS.skels) return null;
+    return { expected: `at most ${LIMITS.skels} segments, points times density`, path: ['density'] };
+  });
+
+/** A tree that makes a field; what is wrong with it is said where fields are made. */
+export const bindable = () =>
+  rule<FieldNode>((node) => {
+    try {
+      bindField(node);
+      return null;
+    } catch (error) {
+      if (!(error instanceof FieldError)) throw error;
+      const [, place = '', why = error.message] = /^([\w.[\]]+): (.*)$/s.exec(error.message) ?? [];
+      return { expected: 'a field', path: stepsOf(place), refused: `makes no field: ${why}` };
+    }
+  });
+
+/** `parts[1].node` → parts, 1, node */
+const stepsOf = (place: string): PropertyKey[] =>
+  (place.match(/\w+/g) ?? []).map((step) => (/^\d+$/.test(step) ? Number(step) : step));
+
+type Unnamed<P> = P extends Part
+  ? Omit<P, 'id' | 'name'> & { readonly id?: string | undefined; readonly name?: string | undefined }
+  : never;
+
 /** A document whose parts may lack what can be worked out. */
 export type Incomplete = Omit<Document, 'parts' | 'nextId'> & {
-  readonly parts: readonly (Omit<Part, 'id' | 'name'> & {
-    id?: string | undefined;
-    name?: string | undefined;
-  })[];
+  readonly parts: readonly (Unnamed<SurfacePart> | Unnamed<BodyPart>)[];
   readonly nextId?: number | undefined;
 };
 

@@ -42,6 +42,8 @@ export const rowOf = ({ x, y, pressure, tiltX, tiltY, time }: Sample): readonly 
 export interface Fault {
   readonly expected: string;
   readonly path: readonly PropertyKey[];
+  /** a sentence that says all; nothing else is said then */
+  readonly refused?: string;
 }
 
 const isFault = (read: Sample | Fault): read is Fault => 'expected' in read;

@@ -11,6 +11,7 @@ import { FRONT_VIEW } from './drawing.ts';
 import { between, fields, flag, list, number, oneOf, text, whole } from './fields.ts';
 import { LIMITS, RANGES, type Range } from './limits.ts';
 import { BACKGROUNDS, DEFAULT_LOOK, KERNEL_CHOICES, type Look, STYLES } from './look.ts';
+import { node } from './nodeSchema.ts';
 import { completed, documentRules, draftRules, partRules, planeRules, rotationRules } from './rules.ts';
 import { samples } from './samples.ts';
 
@@ -75,8 +76,10 @@ export const stroke = fields({
   closed: v.optional(flag, false),
 });
 
+export const colour = v.pipe(v.string('a colour #rrggbb'), v.regex(/^#[0-9a-fA-F]{6}$/, 'a colour #rrggbb'));
+
 const brushFields = {
-  colour: v.pipe(v.string('a colour #rrggbb'), v.regex(/^#[0-9a-fA-F]{6}$/, 'a colour #rrggbb')),
+  colour,
   radius: v.pipe(number(RANGES.radius), v.description('of tubes, mm')),
   pressure: flag,
   caps: flag,
@@ -107,18 +110,24 @@ export const name = text(1, LIMITS.name);
 const kinds = Object.keys(surfaces) as unknown as readonly (keyof typeof surfaces)[];
 const strokes = list(stroke, LIMITS.strokes, 'strokes');
 
-export const part = v.pipe(
-  fields({
-    id: v.optional(name),
-    name: v.optional(name),
-    kind: oneOf(kinds),
-    strokes,
-    brush: v.optional(brush, {}),
-    placement: v.optional(placement, {}),
-    hidden: v.optional(flag, false),
-  }),
+const named = { id: v.optional(name), name: v.optional(name) };
+const shown = { placement: v.optional(placement, {}), hidden: v.optional(flag, false) };
+
+export const surfacePart = v.pipe(
+  fields({ ...named, kind: oneOf(kinds), strokes, brush: v.optional(brush, {}), ...shown }),
   partRules(),
 );
+
+export const bodyPart = fields({
+  ...named,
+  kind: v.literal('body', '"body"'),
+  node,
+  colour: v.optional(v.nullable(colour), null),
+  ...shown,
+});
+
+const allKinds = [...kinds, 'body'].map((kind) => `"${kind}"`).join(', ');
+export const part = v.variant('kind', [surfacePart, bodyPart], `one of ${allKinds}`);
 
 export const draft = v.pipe(fields({ strokes }), draftRules());
 

@@ -5,7 +5,7 @@
  */
 import { applyChecked, checked } from './check.ts';
 import { apply, type Command } from './command/index.ts';
-import { type Document, EMPTY_DOCUMENT } from './document.ts';
+import { type Document, EMPTY_DOCUMENT, isBody } from './document.ts';
 import type { Drawing } from './drawing.ts';
 import { FRONT_VIEW } from './drawing.ts';
 import { FileError, shown } from './fileError.ts';
@@ -15,7 +15,8 @@ import {
   documentFile,
   SCRIPT_FORMAT,
   scriptFile,
-  VERSION,
+  VERSIONS,
+  type Version,
 } from './fileSchema.ts';
 import { readJson } from './json.ts';
 import { layout } from './layout.ts';
@@ -62,8 +63,9 @@ function formatOf({ format, version }: { format?: unknown; version?: unknown }, 
     const expected = `expected "${DOCUMENT_FORMAT}" or "${SCRIPT_FORMAT}", found ${shown(format)}`;
     throw new FileError(file, 'format', `not a Rotund file: ${expected}`);
   }
-  if (Number.isInteger(version) && (version as number) > VERSION) {
-    const message = `is version ${version}; this program reads up to ${VERSION}.`;
+  const highest = VERSIONS.at(-1)!;
+  if (Number.isInteger(version) && (version as number) > highest) {
+    const message = `is version ${version}; this program reads up to ${highest}.`;
     throw new FileError(file, 'version', message, `${file} ${message}`);
   }
   return format;
@@ -92,16 +94,32 @@ export function isScript(text: string): boolean {
 
 /** The text of a `.rotund` file. */
 export function serialize(drawing: Drawing): string {
-  return layout({ ...head(DOCUMENT_FORMAT, drawing), document: writtenDocument(drawing.document) });
+  const { document } = drawing;
+  return layout({
+    ...head(DOCUMENT_FORMAT, versionOf(document), drawing),
+    document: writtenDocument(document),
+  });
 }
 
 /** The text of a script: commands that make the document from an empty one. */
 export function serializeScript(commands: readonly Command[], drawing: Drawing): string {
-  return layout({ ...head(SCRIPT_FORMAT, drawing), commands: commands.map(writtenCommand) });
+  const version = Math.max(1, ...new Set(commands.map(versionOfCommand))) as Version;
+  return layout({
+    ...head(SCRIPT_FORMAT, version, drawing),
+    commands: commands.map(writtenCommand),
+  });
 }
 
-function head(format: string, { name, view, look }: Drawing) {
-  return { format, version: VERSION, unit: 'mm', name, view: writtenView(view), look: writtenLook(look) };
+/** The lowest that holds what there is. */
+const versionOf = ({ parts }: Document): Version => (parts.some(isBody) ? 2 : 1);
+
+function versionOfCommand(command: Command): Version {
+  if (command.type === 'load') return versionOf(command.document);
+  return command.type === 'addBody' ? 2 : 1;
+}
+
+function head(format: string, version: Version, { name, view, look }: Drawing) {
+  return { format, version, unit: 'mm', name, view: writtenView(view), look: writtenLook(look) };
 }
 
 export function replay(commands: readonly Command[], from: Document = EMPTY_DOCUMENT): Document {

@@ -1,20 +1,44 @@
 /** How much a document may hold: what the application lets one draw, it can save and read again. */
+import type { FieldNode } from '../field/node.ts';
 import type { Command } from './command/index.ts';
-import type { Document } from './document.ts';
+import { type Document, isBody, strokesOf } from './document.ts';
 import { LIMITS } from './limits.ts';
 
 /** In words, for messages about files. */
-export const SIZE = `at most ${LIMITS.strokes} strokes and ${LIMITS.samplesInAll} samples in all`;
+export const SIZE = `at most ${LIMITS.strokes} strokes and bodies and ${LIMITS.samplesInAll} samples and values of bodies in all`;
 
 /** Commands after which a document can hold more than before. */
-export const GROWING: readonly Command['type'][] = ['addStroke', 'duplicateParts', 'load'];
+export const GROWING: readonly Command['type'][] = ['addStroke', 'addBody', 'duplicateParts', 'load'];
 
+/** A value of a body takes no more of a file than a sample does. */
 export function isTooLarge({ parts, draft }: Document): boolean {
-  let strokes = 0;
+  let forms = 0;
   let samples = 0;
-  for (const form of draft ? [...parts, draft] : parts) {
-    strokes += form.strokes.length;
-    for (const stroke of form.strokes) samples += stroke.samples.length;
+  for (const strokes of [...parts.map(strokesOf), draft?.strokes ?? []]) {
+    forms += strokes.length;
+    for (const stroke of strokes) samples += stroke.samples.length;
   }
-  return strokes > LIMITS.strokes || samples > LIMITS.samplesInAll;
+  for (const { node } of parts.filter(isBody)) {
+    forms++;
+    samples += valuesOf(node);
+  }
+  return forms > LIMITS.strokes || samples > LIMITS.samplesInAll;
+}
+
+const sizes = new WeakMap<FieldNode, number>();
+
+/** Numbers, words and lists of a tree. */
+function valuesOf(node: FieldNode): number {
+  const known = sizes.get(node);
+  if (known !== undefined) return known;
+  let values = 0;
+  const waiting: unknown[] = [node];
+  while (waiting.length > 0) {
+    const value = waiting.pop();
+    values++;
+    if (typeof value === 'object' && value !== null)
+      for (const item of Object.values(value)) waiting.push(item);
+  }
+  sizes.set(node, values);
+  return values;
 }

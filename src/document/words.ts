@@ -1,4 +1,8 @@
-import type { SurfaceKind } from '../surface/index.ts';
+import type { Part } from './document.ts';
 
-/** What a surface is called in names and messages. */
-export const WORD: Readonly<Record<SurfaceKind, string>> = { tube: 'Tube', rotational: 'Rotational' };
+/** What a kind of part is called in names and messages. */
+export const WORD: Readonly<Record<Part['kind'], string>> = {
+  tube: 'Tube',
+  rotational: 'Rotational',
+  body: 'Body',
+};

@@ -1,8 +1,9 @@
 /** What files hold of documents and commands: the same data, samples as rows, keys always in the same order. */
 import type { Stroke, View } from '../stroke/stroke.ts';
 import type { Command } from './command/index.ts';
-import type { Brush, Document, Part } from './document.ts';
+import { type BodyPart, type Brush, type Document, isBody, type Part, type SurfacePart } from './document.ts';
 import type { Look } from './look.ts';
+import { ordered } from './nodeSchema.ts';
 import { rowOf } from './samples.ts';
 
 export const writtenView = ({ pivot, rotation, height, fov }: View): View => ({
@@ -25,7 +26,14 @@ function writtenStroke({ samples, plane: { origin, x, y }, view, pointer, closed
   return { pointer, closed, plane: { origin, x, y }, view: writtenView(view), samples: samples.map(rowOf) };
 }
 
-function writtenPart({ id, name, kind, strokes, brush, placement, hidden }: Part) {
+const writtenPart = (part: Part): object => (isBody(part) ? writtenBody(part) : writtenSurface(part));
+
+function writtenBody({ id, name, kind, node, colour, placement, hidden }: BodyPart) {
+  const { rotation, translation } = placement;
+  return { id, name, kind, hidden, colour, placement: { rotation, translation }, node: ordered(node) };
+}
+
+function writtenSurface({ id, name, kind, strokes, brush, placement, hidden }: SurfacePart) {
   const { rotation, translation } = placement;
   return {
     id,
@@ -50,6 +58,7 @@ export function writtenDocument({ parts, draft, brush, tubesOnly, nextId }: Docu
 
 export function writtenCommand(command: Command): object {
   if (command.type === 'addStroke') return { type: command.type, stroke: writtenStroke(command.stroke) };
+  if (command.type === 'addBody') return { ...command, node: ordered(command.node) };
   if (command.type !== 'load') return command;
   const { type, name, document } = command;
   return { type, name, document: writtenDocument(document) };

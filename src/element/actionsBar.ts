@@ -1,5 +1,7 @@
 /** What can be done with the selected parts: at the lower edge while there is no unfinished form that asks first. */
 import { html, nothing, type TemplateResult } from 'lit';
+import { CLAY } from '../document/build.ts';
+import { colourOf } from '../document/document.ts';
 import { type Actions, iconButton } from './controls.ts';
 import { ball } from './icons.ts';
 import { chosenParts, partsName } from './partCard.ts';
@@ -17,7 +19,7 @@ export function actionsBar(session: Session, actions: Actions): TemplateResult |
   return html`<div class="acts card chrome ${docked ? 'docked' : ''}" part="actions" role="toolbar" aria-label=${partsName(parts)}>
     ${iconButton(null, PART_WORDS.colour, () => actions.toggle('palette'), {
       expanded: actions.open === 'palette',
-      body: html`<span class="swatch">${ball('toon', parts[0]!.brush.colour)}</span>`,
+      body: html`<span class="swatch">${ball('toon', colourOf(parts[0]!) ?? CLAY)}</span>`,
     })}
     ${iconButton(hidden ? 'eye' : 'eyeOff', hidden ? action.show : action.hide, () => hideSelection(session), { key: 'H' })}
     ${hidden ? nothing : iconButton('focus', action.focus, () => session.focus(session.selection))}

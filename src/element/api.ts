@@ -203,7 +203,7 @@ export abstract class SketchApi extends LitElement {
 
   /**
    * The kept, visible parts as files for other programs: `obj`, `glb`, `stl` or `ply`. The first file is the one asked
-   * for, others lie beside it.
+   * for, others lie beside it; waits for bodies that are being made.
    */
   async export(format: Format): Promise<readonly OutFile[]> {
     const { exporters, modelOf } = await import('../export/index.ts');
@@ -211,6 +211,7 @@ export abstract class SketchApi extends LitElement {
       const known = Object.keys(exporters).join(', ');
       throw new FileError('export', '', `expected one of ${known}, found ${JSON.stringify(format)}`);
     }
+    await this.session.bodies.settled();
     return exporters[format].write(modelOf(this.document, this.session.name));
   }
 
@@ -243,11 +244,12 @@ export abstract class SketchApi extends LitElement {
     this.session.select(checkedIds(ids));
   }
 
-  /** A PNG of exactly this size, of the kept parts, nothing selected; waits for `src` and for the scene. */
+  /** A PNG of exactly this size, of the kept parts, nothing selected; waits for `src`, for bodies and for the scene. */
   async picture(shot: Shot = {}): Promise<Blob> {
     // An element that never was on a page never completes an update either.
     if (this.isConnected) await this.updateComplete;
     await this.declared.settled();
+    await this.session.bodies.settled();
     if (!this.isConnected)
       throw new Error('rotund-sketch: there is a picture only of an element that is on a page.');
     const scene = await this.scene.get();

@@ -246,7 +246,8 @@ export function status(session: Session): TemplateResult {
   const backend = session.scene?.backend;
   const slow = backend === 'WebGL2' ? 'WebGL2, slower' : backend;
   const time = session.frames.buildTime ? `${Math.max(1, Math.round(session.frames.buildTime))} ms` : '';
-  const facts = session.detail && `${[session.detail, time].filter(Boolean).join(' · ')} · `;
+  const known = session.making || [session.detail, time].filter(Boolean).join(' · ');
+  const facts = session.detail && `${known} · `;
   const draws = slow ?? (session.noPicture ? WORDS.noPicture : WORDS.loading);
   return html`<div class="status chrome" part="status">
     <span role="status" aria-live="polite"><b>${session.said}</b></span>

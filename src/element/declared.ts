@@ -145,7 +145,9 @@ export class Declared {
 
   /** Once a scene: when the first picture with all that is declared is there, or would be if it were seen. */
   sayReady(): void {
-    if (!this.#readyDue || !this.#host.session.scene || this.#source.busy) return;
+    const { scene, bodies, frames } = this.#host.session;
+    if (!this.#readyDue || !scene || this.#source.busy) return;
+    if (bodies.making && !frames.asleep) return;
     this.#readyDue = false;
     this.#host.ready();
   }

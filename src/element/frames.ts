@@ -79,7 +79,7 @@ export class Frames {
     this.#synced = performance.now();
     session.scene?.sync(this.#solids(session.shown()).map(({ solid, preview }) => ({ ...solid, preview })));
     // Fitting needs the size of the picture as well as the parts.
-    if (this.fit && session.scene && session.size.width > 1) {
+    if (this.fit && session.scene && session.size.width > 1 && session.bodies.drafted) {
       this.fit = false;
       session.camera.showAll(false);
     }

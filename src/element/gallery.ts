@@ -4,7 +4,7 @@ import type { Actions } from './controls.ts';
 import type { Files } from './files.ts';
 import { icon } from './icons.ts';
 import type { Sample } from './samples.ts';
-import { FILE_WORDS } from './words.ts';
+import { FILE_WORDS, PART_WORDS } from './words.ts';
 
 export function gallery(actions: Actions): TemplateResult | typeof nothing {
   const { files } = actions;
@@ -24,6 +24,12 @@ export function gallery(actions: Actions): TemplateResult | typeof nothing {
   </section>`;
 }
 
+/** "4 strokes", "14 skels" */
+function madeOf({ strokes, skels }: Sample): string {
+  const words = [strokes > 0 && PART_WORDS.strokes(strokes), skels > 0 && PART_WORDS.skels(skels)];
+  return words.filter(Boolean).join(', ');
+}
+
 /** `chosen` is called at once; what is chosen may take a moment. */
 export function cards({ samples, opening }: Files, chosen: () => void): TemplateResult {
   const card = (sample: Sample) => {
@@ -33,7 +39,7 @@ export function cards({ samples, opening }: Files, chosen: () => void): Template
     };
     return html`<li><button class="card" @click=${choose}>
       <img src=${sample.thumbnail} alt="" width="176" height="132" draggable="false" decoding="async" />
-      <b>${sample.name}</b><small>${FILE_WORDS.strokes(sample.strokes)}</small>
+      <b>${sample.name}</b><small>${madeOf(sample)}</small>
     </button></li>`;
   };
   const count = samples.list.length;

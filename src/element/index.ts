@@ -4,7 +4,7 @@
  */
 
 export type { Command } from '../document/command/index.ts';
-export type { Brush, Document, Draft, Part } from '../document/document.ts';
+export type { BodyPart, Brush, Document, Draft, Part, SurfacePart } from '../document/document.ts';
 export { EMPTY_DOCUMENT } from '../document/document.ts';
 export type { Drawing } from '../document/drawing.ts';
 export { EMPTY_DRAWING } from '../document/drawing.ts';
@@ -12,6 +12,7 @@ export type { Background, Look, Style } from '../document/look.ts';
 export { FileError, parse, replay, serialize, serializeScript } from '../document/serialize.ts';
 export type { Exporter, Format, Model, OutFile } from '../export/index.ts';
 export { exporters, modelOf } from '../export/index.ts';
+export type { FieldNode } from '../field/node.ts';
 export type { Mesh } from '../mesh/mesh.ts';
 export type { Plane, Sample, Stroke, View } from '../stroke/stroke.ts';
 export type { LoadOptions } from './api.ts';

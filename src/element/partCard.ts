@@ -1,9 +1,10 @@
 /** What can be set of the selected parts: name, colour, radius. What is set of several is set of all. */
 import { html, nothing, type TemplateResult } from 'lit';
 import { live } from 'lit/directives/live.js';
-import { solidOf } from '../document/build.ts';
+import { bodyCounts } from '../document/bodyCounts.ts';
+import { CLAY, solidOf } from '../document/build.ts';
 import { LONGEST_NAME } from '../document/command/renamePart.ts';
-import { type Part, RADIUS_RANGE } from '../document/document.ts';
+import { colourOf, isBody, type Part, RADIUS_RANGE, type SurfacePart } from '../document/document.ts';
 import { colourName, spheres } from './colours.ts';
 import { radiusToSlider, sliderToRadius } from './controls.ts';
 import type { Session } from './session.ts';
@@ -25,14 +26,14 @@ export function partCard(session: Session): TemplateResult {
   return html`<section class="card-of-part">
     ${only ? nameField(session, only) : html`<h3>${partsName(parts)}</h3>`}
     <h3>${PART_WORDS.colour} <span class="value">${colourWords(parts)}</span></h3>
-    ${partColours(session)} ${parts.every(({ kind }) => kind === 'tube') ? radius(session, parts) : nothing}
+    ${partColours(session)} ${radius(session, parts)}
     ${only ? html`<p class="quiet-words">${facts(only)}</p>` : nothing}
   </section>`;
 }
 
 const sameColour = (parts: readonly Part[]): string | null => {
-  const colour = parts[0]?.brush.colour ?? null;
-  return parts.every(({ brush }) => brush.colour === colour) ? colour : null;
+  const colour = parts[0] ? colourOf(parts[0]) : null;
+  return parts.every((part) => colourOf(part) === colour) ? colour : null;
 };
 
 function colourWords(parts: readonly Part[]): string {
@@ -45,7 +46,7 @@ export function partColours(session: Session): TemplateResult {
   const parts = chosenParts(session);
   const set = (colour: string) =>
     session.run({ type: 'setPartBrush', ids: session.selection, change: { colour } });
-  const first = parts[0]?.brush.colour ?? '#000000';
+  const first = (parts[0] && colourOf(parts[0])) ?? CLAY;
   return spheres(PART_WORDS.colourOf(partsName(parts)), sameColour(parts), first, set);
 }
 
@@ -71,9 +72,12 @@ function nameField(session: Session, { id, name }: Part): TemplateResult {
       .value=${name} @change=${rename} @keydown=${key} /></label>`;
 }
 
-function radius(session: Session, parts: readonly Part[]): TemplateResult {
-  const mm = parts[0]!.brush.radius;
-  const same = parts.every(({ brush }) => brush.radius === mm);
+/** Tubes alone have one. */
+function radius(session: Session, parts: readonly Part[]): TemplateResult | typeof nothing {
+  const tubes = parts.filter((part): part is SurfacePart => part.kind === 'tube');
+  if (tubes.length < parts.length) return nothing;
+  const mm = tubes[0]!.brush.radius;
+  const same = tubes.every(({ brush }) => brush.radius === mm);
   const position = radiusToSlider(mm);
   const moved = (done: boolean) => (event: Event) => {
     const value = sliderToRadius(Number((event.target as HTMLInputElement).value));
@@ -88,11 +92,14 @@ function radius(session: Session, parts: readonly Part[]): TemplateResult {
     </div>`;
 }
 
+/** "2 strokes", "12 skels" */
+export function madeOf(part: Part): string {
+  return isBody(part)
+    ? PART_WORDS.skels(bodyCounts(part.node).skels)
+    : PART_WORDS.strokes(part.strokes.length);
+}
+
 function facts(part: Part): string {
   const triangles = (solidOf(part)?.mesh.indices.length ?? 0) / 3;
-  return [
-    SURFACE[part.kind].long,
-    PART_WORDS.strokes(part.strokes.length),
-    PART_WORDS.triangles(triangles),
-  ].join(' · ');
+  return [SURFACE[part.kind].long, madeOf(part), PART_WORDS.triangles(triangles)].join(' · ');
 }

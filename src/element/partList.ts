@@ -10,6 +10,7 @@ import { ref } from 'lit/directives/ref.js';
 import { repeat } from 'lit/directives/repeat.js';
 import type { Part } from '../document/document.ts';
 import { icon } from './icons.ts';
+import { madeOf } from './partCard.ts';
 import { removeSelection } from './partDeeds.ts';
 import type { Session } from './session.ts';
 import { PART_WORDS, SURFACE } from './words.ts';
@@ -96,8 +97,8 @@ function rowsInSight(list: HTMLElement, parts: readonly Part[]): { first: number
 const rowHeight = (list: HTMLElement): number => list.querySelector<HTMLElement>('.part')?.offsetHeight || 48;
 
 function row(part: Part, index: number, selected: boolean, active: boolean): TemplateResult {
-  const { id, name, kind, strokes, hidden } = part;
-  const facts = [SURFACE[kind].name, PART_WORDS.strokes(strokes.length)];
+  const { id, name, kind, hidden } = part;
+  const facts = [SURFACE[kind].name, madeOf(part)];
   if (hidden) facts.push(PART_WORDS.hidden);
   const eye = hidden ? PART_WORDS.show(name) : PART_WORDS.hide(name);
   return html`<div class="part ${hidden ? 'unseen' : ''} ${active ? 'active' : ''}" role="row" id="row-${id}" data-id=${id}

@@ -134,6 +134,7 @@ export class RotundSketch extends SketchApi {
     this.#sizes?.disconnect();
     this.#seen?.disconnect();
     this.session.frames.asleep = true;
+    this.session.bodies.stop();
     this.session.detach();
   }
 
@@ -153,6 +154,7 @@ export class RotundSketch extends SketchApi {
     this.#adapt();
     this.#resize();
     this.session.frames.asleep = false;
+    this.session.wantBodies();
     this.scene.go();
     void this.#life.open();
   }

@@ -3,6 +3,8 @@
 export interface Sample {
   readonly name: string;
   readonly strokes: number;
+  /** of bodies */
+  readonly skels: number;
   /** addresses */
   readonly file: string;
   readonly thumbnail: string;
@@ -36,19 +38,23 @@ async function fetchList(written: string): Promise<Sample[]> {
   const resolve = (path: string) => new URL(path, address).href;
   return (Array.isArray(entries) ? entries : [])
     .filter(isSample)
-    .map(({ file, thumbnail, name, strokes }) => ({
+    .map(({ file, thumbnail, name, strokes, skels = 0 }) => ({
       name,
       strokes,
+      skels,
       file: resolve(file),
       thumbnail: resolve(thumbnail),
     }));
 }
 
-const isSample = (entry: Partial<Sample> | null): entry is Sample =>
+type Entry = Omit<Sample, 'skels'> & Partial<Pick<Sample, 'skels'>>;
+
+const isSample = (entry: Partial<Sample> | null): entry is Entry =>
   typeof entry?.name === 'string' &&
   typeof entry.file === 'string' &&
   typeof entry.thumbnail === 'string' &&
-  typeof entry.strokes === 'number';
+  typeof entry.strokes === 'number' &&
+  ['number', 'undefined'].includes(typeof entry.skels);
 
 export async function fetchSample({ file, name }: Sample): Promise<string> {
   const answer = await fetch(file).catch(() => null);

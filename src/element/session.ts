@@ -3,9 +3,10 @@
  * controls; the element draws those from here and calls back. Pointer moves only mark what is stale: the frame
  * does the work, and wet ink is drawn before it.
  */
+import { CELLS } from '../document/bodies.ts';
 import { draftIsWhole, RESOLUTION } from '../document/build.ts';
 import type { Command } from '../document/command/index.ts';
-import { type Brush, type Document, EMPTY_DOCUMENT, readingOf } from '../document/document.ts';
+import { type Brush, type Document, EMPTY_DOCUMENT, isBody, readingOf } from '../document/document.ts';
 import { type Drawing, FRONT_VIEW } from '../document/drawing.ts';
 import {
   commit,
@@ -19,6 +20,7 @@ import {
 } from '../document/history.ts';
 import { type Background, DEFAULT_LOOK, type Look, type Style } from '../document/look.ts';
 import { GROWING, isTooLarge } from '../document/size.ts';
+import type { FieldNode } from '../field/node.ts';
 // Only the pure parts of the scene at once: three.js is fetched when there is a page to draw on.
 import type { Scene } from '../scene/index.ts';
 import { AIR, type Margins } from '../scene/view.ts';
@@ -28,6 +30,7 @@ import { selecting } from '../tool/select.ts';
 import type { Bench, Pen, State, Notice as ToolNotice } from '../tool/tool.ts';
 import { trial } from '../tool/trial.ts';
 import type { Viewport } from '../tool/viewport.ts';
+import { Bodies, type News } from './bodies.ts';
 import { CameraMoves } from './cameraMoves.ts';
 import { draftProblem } from './draftProblem.ts';
 import type { Cause } from './events.ts';
@@ -44,6 +47,9 @@ export interface Notice {
 }
 
 export const TOOLS = { draw: idle, select: selecting } as const;
+/** ms: what takes less is done before one asks */
+const PATIENCE = 500;
+
 export type ToolName = keyof typeof TOOLS;
 
 export interface Hooks {
@@ -81,9 +87,12 @@ export class Session implements Bench, Viewport {
   #dragCancelled = false;
   /** what a control that is being dragged shows */
   #tuned: State | null = null;
+  /** bodies whose problem was told */
+  readonly #told = new WeakSet<FieldNode>();
   /** where one looked from when there last was a scene */
   #lastView: View = FRONT_VIEW;
   readonly frames: Frames;
+  readonly bodies = new Bodies((news) => this.#bodyNews(news));
   readonly #hooks: Hooks;
 
   constructor(hooks: Hooks) {
@@ -143,8 +152,41 @@ export class Session implements Bench, Viewport {
   #replaced(before: Document, commands: readonly Command[], cause: Cause): void {
     this.update();
     if (this.document === before) return;
+    this.wantBodies();
     this.select(this.selection);
     this.#hooks.committed(commands, cause);
+  }
+
+  /** Those that are seen are made beside the page. */
+  wantBodies(): void {
+    const seen = this.document.parts.filter((part) => !part.hidden);
+    this.bodies.want(seen.filter(isBody).map(({ node }) => node));
+  }
+
+  #bodyNews(news: News): void {
+    if (news === 'progress') {
+      this.#hooks.changed();
+      return;
+    }
+    const lost = this.document.parts.filter(isBody).find(({ node }) => this.#isNewProblem(node));
+    if (lost) {
+      this.#told.add(lost.node);
+      const text = WORDS.notMade(lost.name, this.bodies.problem(lost.node) ?? '');
+      this.notice = { text, passing: true, actions: [] };
+      this.said = text;
+    }
+    this.update();
+  }
+
+  #isNewProblem(node: FieldNode): boolean {
+    return this.bodies.problem(node) !== null && !this.#told.has(node);
+  }
+
+  /** What is being made, when that takes long enough to be asked about; '' otherwise. */
+  get making(): string {
+    const { making, share, elapsed } = this.bodies;
+    const part = this.document.parts.filter(isBody).find(({ node }) => node === making);
+    return part && elapsed > PATIENCE ? WORDS.making(part.name, Math.round(100 * share)) : '';
   }
 
   // ── files ───────────────────────────────────────────────────────────────────────────────────────────
@@ -428,6 +470,8 @@ export class Session implements Bench, Viewport {
   /** What the second line of the status shows. */
   get detail(): string {
     const kind = readingOf(this.document) ?? this.document.parts.at(-1)?.kind;
-    return kind ? `${SURFACE[kind].name} · ${RESOLUTION.u} × ${RESOLUTION.v} mesh` : '';
+    if (!kind) return '';
+    const grid = kind === 'body' ? `${CELLS} cells` : `${RESOLUTION.u} × ${RESOLUTION.v} mesh`;
+    return `${SURFACE[kind].name} · ${grid}`;
   }
 }

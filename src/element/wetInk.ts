@@ -4,7 +4,7 @@
  * own over the picture, so that ink never waits for the field.
  */
 import { curveOfStroke } from '../document/build.ts';
-import { type Brush, readingOf } from '../document/document.ts';
+import { type Brush, isBody, readingOf } from '../document/document.ts';
 import { place3, UNMOVED } from '../math/placement.ts';
 import type { Vec2 } from '../math/vec.ts';
 import { project, toWorld } from '../stroke/plane.ts';
@@ -68,8 +68,9 @@ function drawBand(context: CanvasRenderingContext2D, { from, to }: Band, { penci
 
 /** Where nothing can be shaded, what was kept is still seen: its strokes, in its colours. */
 function drawParts(context: CanvasRenderingContext2D, session: Session): void {
-  for (const { strokes, brush, placement, hidden } of session.document.parts) {
-    if (hidden) continue;
+  for (const part of session.document.parts) {
+    if (part.hidden || isBody(part)) continue;
+    const { strokes, brush, placement } = part;
     for (const stroke of strokes) drawLine(context, dried(stroke, brush, session, placement), brush.colour);
   }
 }

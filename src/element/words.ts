@@ -1,9 +1,12 @@
 /** All words of the interface: plain verbs, no exclamation marks. */
+import type { Part } from '../document/document.ts';
 import type { SurfaceKind } from '../surface/index.ts';
 
-export const SURFACE: Readonly<Record<SurfaceKind, { readonly name: string; readonly long: string }>> = {
+/** What parts are called by what they are made of. */
+export const SURFACE: Readonly<Record<Part['kind'], { readonly name: string; readonly long: string }>> = {
   tube: { name: 'Tube', long: 'Tube' },
   rotational: { name: 'Rotational', long: 'Rotational surface' },
+  body: { name: 'Body', long: 'Implicit body' },
 };
 
 export const WORDS = {
@@ -51,6 +54,9 @@ export const WORDS = {
   undoStroke: 'Undo',
   full: 'This drawing is full: a file holds no more strokes. Save it, and go on in a new one.',
   cannotKeep: 'There is nothing to keep yet. Draw it again, or drop it.',
+  making: (name: string, percent: number) => `Making ${name}, ${percent} %`,
+  noSurface: 'Its field is nowhere above 0, or only where it is too thin to be seen.',
+  notMade: (name: string, why: string) => `${name} could not be made: ${why}`,
   failed: 'This surface could not be built. The strokes are safe.',
   penFound: 'Pen found. Fingers now turn the view.',
   letFingersDraw: 'Let fingers draw',
@@ -82,7 +88,6 @@ export const FILE_WORDS = {
   file: 'the file',
   gallery: 'Or open one',
   galleryMore: 'and look how it was drawn',
-  strokes: (count: number) => (count === 1 ? '1 stroke' : `${count} strokes`),
   tray: { none: '', saved: 'Saved', kept: 'Kept', saving: 'Saving', unsaved: 'Not saved' },
   opening: (name: string) => `Opening ${name}`,
   opened: (name: string, covers: boolean) =>
@@ -141,6 +146,7 @@ export const PART_WORDS = {
   none: 'No parts yet. Draw a line and keep it.',
   choose: 'Tap a part in the drawing or in the list to select it.',
   strokes: (count: number) => (count === 1 ? '1 stroke' : `${count} strokes`),
+  skels: (count: number) => (count === 0 ? 'shapes only' : count === 1 ? '1 skel' : `${count} skels`),
   triangles: (count: number) => `${String(count).replace(/\B(?=(\d{3})+$)/g, ',')} triangles`,
   hidden: 'hidden',
   hide: (name: string) => `Hide ${name}`,

@@ -1,8 +1,11 @@
 /**
- * Colours for files. A document's colour is a display value (sRGB as written); glTF wants light, which is linear.
+ * Colours for files. A document's colour is a display value (sRGB as written); glTF wants light, which is linear, as painted
+ * meshes have it.
  * The transfer function of sRGB (IEC 61966-2-1) has the power 2.4 = 2 · (1 + 1/5); the fifth root is Newton's, because
  * engines differ in the last bit of theirs.
  */
+import { pow } from '../math/pow.ts';
+
 export type Rgb = readonly [red: number, green: number, blue: number];
 
 /** #rrggbb → 0–255 each. */
@@ -15,6 +18,12 @@ export function displayBytes(hex: string): Rgb {
 export function linearRgb(hex: string): Rgb {
   const [red, green, blue] = displayBytes(hex);
   return [linear(red / 255), linear(green / 255), linear(blue / 255)];
+}
+
+/** Light, 0–1 → display value, 0–1. */
+export function display(light: number): number {
+  const x = Math.min(1, Math.max(0, light));
+  return x <= 0.0031308 ? 12.92 * x : 1.055 * pow(x, 1 / 2.4) - 0.055;
 }
 
 function linear(display: number): number {

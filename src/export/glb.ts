@@ -1,6 +1,6 @@
 /**
  * GLB: binary glTF 2.0, in metres as that format demands. A node with a mesh a part, a material a colour, normals and
- * texture coordinates. The library that writes it is fetched when the first file is written.
+ * texture coordinates; painted parts have their colours by vertex, over white. The library that writes it is fetched when the first file is written.
  */
 import type { Accessor, Buffer, Document, Material } from '@gltf-transform/core';
 import { linearRgb } from './colour.ts';
@@ -21,6 +21,8 @@ export const glb: Exporter = {
   },
 };
 
+/** what vertices are painted on: glTF multiplies the two */
+const WHITE = '#ffffff';
 const METRES = 0.001;
 /** clay: no metal, hardly a gleam */
 const ROUGHNESS = 0.8;
@@ -34,7 +36,7 @@ function fill(document: Document, parts: readonly FilePart[]): Document {
   const buffer = document.createBuffer();
   const materials = new Map<string, Material>();
   for (const part of parts) {
-    const colour = part.colour.toLowerCase();
+    const colour = part.mesh.colours ? WHITE : part.colour.toLowerCase();
     const material = materials.get(colour) ?? materialOf(document, colour);
     materials.set(colour, material);
     scene.addChild(nodeOf(document, buffer, part, material));
@@ -76,8 +78,11 @@ function nodeOf(document: Document, buffer: Buffer, { name, mesh }: FilePart, ma
       ),
     )
     .setAttribute('TEXCOORD_0', accessor('VEC2', mesh.uvs.map(fromUpperLeft)));
+  if (mesh.colours) primitive.setAttribute('COLOR_0', accessor('VEC3', mesh.colours.map(clamped)));
   return document.createNode(name).setMesh(document.createMesh(name).addPrimitive(primitive));
 }
+
+const clamped = (light: number): number => Math.min(1, Math.max(0, light));
 
 /** glTF counts v from the upper edge of a picture, the other formats and we from the lower one. */
 const fromUpperLeft = (value: number, i: number): number => (i % 2 ? 1 - value : value);

@@ -2,8 +2,9 @@
  * Exporters: meshes as files other programs read. One file a format; the list below is the registry from which the
  * command line, the menu and tests read. Deterministic: the same document gives the same bytes everywhere.
  */
+import { bodyMade, makeBody } from '../document/bodies.ts';
 import { type Resolution, type Solid, solids } from '../document/build.ts';
-import type { Document } from '../document/document.ts';
+import { type Document, isBody } from '../document/document.ts';
 import { glb } from './glb.ts';
 import { obj } from './obj.ts';
 import { ply } from './ply.ts';
@@ -39,7 +40,10 @@ export type Format = 'obj' | 'glb' | 'stl' | 'ply';
 
 export const exporters: Readonly<Record<Format, Exporter>> = { obj, glb, stl, ply };
 
-/** The kept, visible parts of a document; the unfinished form is left out. */
+/** The kept, visible parts of a document; the unfinished form is left out. Bodies are as they were made last, or made now. */
 export function modelOf(document: Document, name: string, resolution?: Resolution): Model {
+  for (const part of document.parts) {
+    if (isBody(part) && !part.hidden && !bodyMade(part.node)) makeBody(part.node);
+  }
   return { name: name || 'rotund', solids: solids(document, resolution) };
 }

@@ -1,12 +1,16 @@
 /**
  * Wavefront OBJ with its material library: a group (and object) a part, positions, texture coordinates and normals with
- * the digits that float32 needs, one material a colour. OBJ has no unit and no colour space; both are in comments.
+ * the digits that float32 needs, one material a colour. OBJ has no unit and no colour space; both are in comments. Painted parts
+ * have a colour behind each position, as display values, which MeshLab, Blender and others read, and a white material.
  */
 import { ByteWriter } from './bytes.ts';
-import { displayBytes } from './colour.ts';
+import { display, displayBytes } from './colour.ts';
 import type { Exporter } from './index.ts';
 import { fileName, wordNames, wordOf } from './names.ts';
 import { type FilePart, fileParts } from './parts.ts';
+
+/** what vertices are painted on */
+const WHITE = '#ffffff';
 
 export const obj: Exporter = {
   id: 'obj',
@@ -32,17 +36,34 @@ function geometry(parts: readonly FilePart[], library: string): Uint8Array<Array
   const names = wordNames(parts.map(({ name }) => name));
   // Vertices are numbered from 1 through the whole file.
   let first = 1;
-  parts.forEach(({ colour, mesh }, i) => {
+  parts.forEach((part, i) => {
+    const { mesh } = part;
     out.text(`o ${names[i]}\ng ${names[i]}\n`);
-    vectors(out, 'v', mesh.positions, 3);
+    if (mesh.colours) paintedVertices(out, mesh.positions, mesh.colours);
+    else vectors(out, 'v', mesh.positions, 3);
     vectors(out, 'vt', mesh.uvs, 2);
     vectors(out, 'vn', mesh.normals, 3);
-    out.text(`usemtl ${materialName(colour)}\n`);
+    out.text(`usemtl ${materialName(materialOf(part))}\n`);
     faces(out, mesh.indices, first);
     first += mesh.positions.length / 3;
   });
   return out.bytes();
 }
+
+function paintedVertices(out: ByteWriter, positions: Float32Array, colours: Float32Array): void {
+  for (let i = 0; i < positions.length; i += 3) {
+    out.ascii('v');
+    for (let k = 0; k < 3; k++) {
+      out.ascii(' ');
+      out.float(positions[i + k]!);
+    }
+    for (let k = 0; k < 3; k++) out.ascii(` ${hundredThousandths(display(colours[i + k]!))}`);
+    out.ascii('\n');
+  }
+}
+
+/** more than a screen shows, and the same in every engine */
+const hundredThousandths = (value: number): number => Math.round(1e5 * value) / 1e5;
 
 function vectors(out: ByteWriter, keyword: string, values: Float32Array, width: number): void {
   for (let i = 0; i < values.length; i += width) {
@@ -73,12 +94,14 @@ function corner(out: ByteWriter, vertex: number): void {
   out.whole(vertex);
 }
 
-const materialName = (colour: string): string => `colour_${colour.slice(1).toLowerCase()}`;
+const materialOf = ({ colour, mesh }: FilePart): string => (mesh.colours ? WHITE : colour.toLowerCase());
+
+const materialName = (colour: string): string => `colour_${colour.slice(1)}`;
 
 function materials(parts: readonly FilePart[]): Uint8Array<ArrayBuffer> {
   const out = new ByteWriter();
   out.text('# Rotund\n# Kd: display values (sRGB), not linear\n');
-  for (const colour of new Set(parts.map(({ colour }) => colour.toLowerCase()))) {
+  for (const colour of new Set(parts.map(materialOf))) {
     out.text(`\nnewmtl ${materialName(colour)}\nKd`);
     for (const value of displayBytes(colour)) out.text(` ${Number((value / 255).toFixed(6))}`);
     out.text('\nKs 0 0 0\nd 1\nillum 1\n');

@@ -3,7 +3,7 @@
  * vertex.
  */
 import { reserve } from './bytes.ts';
-import { displayBytes } from './colour.ts';
+import { display, displayBytes } from './colour.ts';
 import type { Exporter } from './index.ts';
 import { fileName } from './names.ts';
 import { countsOf, type FilePart, fileParts } from './parts.ts';
@@ -59,15 +59,16 @@ function mesh(parts: readonly FilePart[]): Uint8Array<ArrayBuffer> {
 }
 
 function putVertices(view: DataView, from: number, { mesh, colour }: FilePart): number {
-  const { positions, normals } = mesh;
+  const { positions, normals, colours } = mesh;
   const rgb = displayBytes(colour);
+  const channel = (i: number) => (colours ? Math.round(255 * display(colours[i]!)) : rgb[i % 3]!);
   let at = from;
   for (let i = 0; i < positions.length; i += 3, at += VERTEX) {
     for (let k = 0; k < 3; k++) {
       // + 0 turns −0 into 0
       view.setFloat32(at + 4 * k, positions[i + k]! + 0, true);
       view.setFloat32(at + 12 + 4 * k, normals[i + k]! + 0, true);
-      view.setUint8(at + 24 + k, rgb[k]!);
+      view.setUint8(at + 24 + k, channel(i + k));
     }
   }
   return at;

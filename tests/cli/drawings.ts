@@ -23,6 +23,37 @@ export const PIPE: readonly Command[] = [
   ...kept(line(80)),
 ];
 
+/** A ring of 20 mm, its tube of 6 mm, that is no strokes. */
+export const TORUS: Command = {
+  type: 'addBody',
+  name: 'Torus',
+  node: { type: 'shape', shape: { type: 'torus', ring: 20, tube: 6 }, colour: [0.8, 0.1, 0.05] },
+};
+
+/** Two balls that blend, and a box beside them: a sum of two points, which has no hole. */
+export const BLOBS: Command = {
+  type: 'addBody',
+  name: 'Blobs',
+  node: {
+    type: 'union',
+    form: 'hard',
+    parts: [
+      {
+        type: 'skels',
+        kernel: 'gaussian',
+        params: { s: 0.1 },
+        threshold: 0.5,
+        skels: [
+          { skel: { type: 'point', at: [-8, 0, 0], radius: 8 }, colour: [1, 0, 0] },
+          { skel: { type: 'point', at: [8, 0, 0], radius: 8 }, colour: [0, 0, 1] },
+          { skel: { type: 'segment', a: [0, 0, 0], b: [0, 20, 0], radii: [3, 3] } },
+        ],
+      },
+      { type: 'shape', shape: { type: 'box', half: [4, 30, 4] } },
+    ],
+  },
+};
+
 export const UNFINISHED: Command = { type: 'addStroke', stroke: halfCircle(20, 1) };
 
 export const documentOf = (commands: readonly Command[]): Document => commands.reduce(apply, EMPTY_DOCUMENT);

@@ -4,7 +4,17 @@ import { join } from 'node:path';
 import { describe, expect, it } from 'vitest';
 import type { Command } from '../../src/document/command/index.ts';
 import { exporters, modelOf } from '../../src/export/index.ts';
-import { BALL, documentOf, drawingFile, PIPE, RING, scriptFile, UNFINISHED } from './drawings.ts';
+import {
+  BALL,
+  BLOBS,
+  documentOf,
+  drawingFile,
+  PIPE,
+  RING,
+  scriptFile,
+  TORUS,
+  UNFINISHED,
+} from './drawings.ts';
 import { useProgram } from './program.ts';
 
 const program = useProgram();
@@ -19,6 +29,13 @@ async function result(...args: readonly string[]) {
   expect(stdout).toMatch(/^\{[ -~]+\}\n$/);
   return JSON.parse(stdout);
 }
+
+const FAR = (x: number) =>
+  ({
+    type: 'affine',
+    matrix: [1, 0, 0, x, 0, 1, 0, 0, 0, 0, 1, 0],
+    node: { type: 'shape', shape: { type: 'sphere', radius: 5 } },
+  }) as const;
 
 const near = (found: number, expected: number): number => Math.abs(found / expected - 1);
 
@@ -97,6 +114,61 @@ describe('rotund mesh', { timeout: 60_000 }, () => {
     expect(near(fine.triangles, 2 * 128 * 32)).toBeLessThan(0.1);
     expect(same.triangles).toBe(usual.triangles);
     expect(bytes('x.stl').equals(bytes('y.stl'))).toBe(true);
+  });
+
+  it('measures bodies, and says what they took', async () => {
+    const file = put('torus.rotund', drawingFile([TORUS, ...BALL]));
+    const found = await result('mesh', file, '-o', 'torus.ply', '--resolution', '96');
+    const [torus] = found.parts;
+    expect(torus).toMatchObject({ name: 'Torus', watertight: true, genus: 1 });
+    expect(near(torus.volume, 2 * Math.PI ** 2 * 20 * 6 ** 2)).toBeLessThan(0.005);
+    expect(near(torus.area, 4 * Math.PI ** 2 * 20 * 6)).toBeLessThan(0.005);
+    expect(Math.abs(torus.bounds.max[0] - 26)).toBeLessThan(0.01);
+    expect(found).toMatchObject({ watertight: true, genus: 1 });
+    expect(found.fieldEvaluations).toBeGreaterThan(torus.vertices);
+  });
+
+  it('follows --resolution for bodies, 128 without it', async () => {
+    const file = put('blobs.rotund', drawingFile([BLOBS]));
+    const coarse = await result('mesh', file, '-o', 'x.obj', '--resolution', '32');
+    const usual = await result('mesh', file, '-o', 'y.obj');
+    const same = await result('mesh', file, '-o', 'z.obj', '--resolution=128');
+    expect(usual.triangles / coarse.triangles).toBeGreaterThan(12);
+    expect(usual.triangles / coarse.triangles).toBeLessThan(20);
+    expect(usual).toMatchObject({ watertight: true, genus: 0 });
+    expect(same.triangles).toBe(usual.triangles);
+    expect(bytes('z.obj').toString().replace('z.mtl', 'y.mtl')).toBe(bytes('y.obj').toString());
+  });
+
+  it('paints bodies, red on one side and blue on the other', async () => {
+    const file = put('painted.rotund', drawingFile([BLOBS]));
+    await result('mesh', file, '-o', 'painted.obj', '--resolution', '32');
+    const lines = bytes('painted.obj').toString().split('\n');
+    const rows = lines
+      .filter((line) => line.startsWith('v '))
+      .map((line) => line.split(' ').slice(1).map(Number));
+    expect(rows.every((row) => row.length === 6)).toBe(true);
+    const at = (x: number) => rows.reduce((a, b) => (Math.abs(a[0]! - x) < Math.abs(b[0]! - x) ? a : b));
+    expect(at(-30)[3]).toBeGreaterThan(0.9);
+    expect(at(30)[5]).toBeGreaterThan(0.9);
+  });
+
+  it('says that a body has no surface', async () => {
+    const node = { type: 'intersection', form: 'hard', parts: [FAR(-50), FAR(50)] } as const;
+    const file = put('nowhere.rotund', drawingFile([{ type: 'addBody', node, name: 'Nowhere' }]));
+    const { status, stderr } = await run(['mesh', file, '-o', 'nowhere.stl']);
+    expect(status).toBe(2);
+    expect(stderr).toMatch(/left out, because the field is nowhere above 0.*“Nowhere”/);
+    expect(stderr).toContain('nothing to export: its parts make no surface');
+  });
+
+  it('names the place in a tree that makes no field', async () => {
+    const text = drawingFile([BLOBS]).replace('"radius": 8', '"radius": -8');
+    const { status, stderr } = await run(['mesh', put('wrong.rotund', text), '-o', 'wrong.stl']);
+    expect(status).toBe(2);
+    expect(stderr).toContain(
+      'wrong.rotund, document.parts[0].node.parts[0].skels[0].radius: makes no field: the radius must be above 0, found -8',
+    );
   });
 
   it('leaves out the unfinished form and hidden parts, and says so', async () => {

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { countsOf, leftOut, nothingBecause } from '../../src/cli/report.ts';
 import { EMPTY_DOCUMENT } from '../../src/document/document.ts';
-import { BALL, documentOf, RING, UNFINISHED } from './drawings.ts';
+import { BALL, BLOBS, documentOf, RING, TORUS, UNFINISHED } from './drawings.ts';
 
 const TWO = documentOf([...BALL, ...RING, UNFINISHED]);
 const hidden = (count: number) => ({
@@ -14,6 +14,11 @@ describe('report', () => {
   it('counts parts, and strokes of the unfinished form too', () => {
     expect(countsOf(TWO)).toEqual({ parts: 2, strokes: 4, components: 0, groups: 0, skels: 0 });
     expect(countsOf(EMPTY_DOCUMENT)).toEqual({ parts: 0, strokes: 0, components: 0, groups: 0, skels: 0 });
+  });
+
+  it('counts what is in bodies; shapes are no skels', () => {
+    const counts = { parts: 3, strokes: 2, components: 1, groups: 1, skels: 3 };
+    expect(countsOf(documentOf([BLOBS, TORUS, ...BALL]))).toEqual(counts);
   });
 
   it('names what is left out, but not a thousand names', () => {

@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { solidOf } from '../../src/document/build.ts';
 import { copiesOf } from '../../src/document/command/duplicateParts.ts';
 import { apply, type Command } from '../../src/document/command/index.ts';
-import { type Document, EMPTY_DOCUMENT } from '../../src/document/document.ts';
+import { type Document, EMPTY_DOCUMENT, strokesOf } from '../../src/document/document.ts';
 import { line } from './strokes.ts';
 
 const KEEP: Command = { type: 'keep' };
@@ -25,7 +25,7 @@ describe('duplicateParts', () => {
 
   it('shares the strokes, so that nothing is built anew', () => {
     const copied = copy(three, 'part-2');
-    expect(copied.parts[3]!.strokes).toBe(three.parts[1]!.strokes);
+    expect(strokesOf(copied.parts[3]!)).toBe(strokesOf(three.parts[1]!));
     expect(solidOf(copied.parts[3]!)!.mesh.indices).toBe(solidOf(three.parts[1]!)!.mesh.indices);
   });
 

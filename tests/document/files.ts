@@ -9,6 +9,7 @@ import { commit, type History, newHistory } from '../../src/document/history.ts'
 import { DEFAULT_LOOK } from '../../src/document/look.ts';
 import type { Mesh } from '../../src/mesh/mesh.ts';
 import type { Plane } from '../../src/stroke/stroke.ts';
+import { EVERY_NODE } from './everyNode.ts';
 import { circle, halfCircle, strokeAlong, VIEW } from './strokes.ts';
 
 /** Enough to see whether meshes differ, and quick. */
@@ -59,6 +60,8 @@ export const COMMANDS: readonly Command[] = [
   { type: 'removeLast' },
   add(wave(-9)),
   { type: 'drop' },
+  { type: 'addBody', node: EVERY_NODE, name: 'Everything' },
+  { type: 'addBody', node: EVERY_NODE, colour: '#7D5238' },
   add({ ...wave(3), pointer: 'mouse' }),
   add(wave(-30)),
 ];

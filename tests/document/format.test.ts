@@ -1,6 +1,7 @@
 /** docs/format.md: its examples are read, and its tables have every field, command and limit. */
 import { readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
+import { makeBody } from '../../src/document/bodies.ts';
 import { COMMAND_TYPES } from '../../src/document/command/index.ts';
 import { LIMITS } from '../../src/document/limits.ts';
 import { parse, serialize } from '../../src/document/serialize.ts';
@@ -18,6 +19,12 @@ interface Field {
   readonly enum?: readonly string[];
   readonly anyOf?: readonly Field[];
   readonly prefixItems?: readonly Field[];
+}
+
+interface Variant {
+  readonly properties: Readonly<
+    Record<string, { readonly const?: string; readonly enum?: readonly string[] }>
+  >;
 }
 
 /** The table whose first column is headed so, by field. */
@@ -40,14 +47,15 @@ describe('docs/format.md', () => {
   it.each(examples.map((text, i) => [i + 1, text] as const))('example %i is sound', (_, text) => {
     const drawing = parse(text, 'example.rotund');
     expect(parse(serialize(drawing), 'example.rotund')).toEqual(drawing);
+    for (const part of drawing.document.parts) if (part.kind === 'body') makeBody(part.node, 24);
     const meshes = meshesOf(drawing.document);
     expect(meshes.length).toBeGreaterThan(0);
     for (const mesh of meshes) expect(topology(mesh)).toMatchObject({ finite: true, watertight: true });
   });
 
-  it('has a document, a bare list and a script with every command', () => {
-    expect(examples).toHaveLength(3);
-    const script = JSON.parse(examples[2]!) as { commands: { type: string }[] };
+  it('has documents, a bare list and a script with every command', () => {
+    expect(examples).toHaveLength(4);
+    const script = JSON.parse(examples[3]!) as { commands: { type: string }[] };
     expect([...new Set(script.commands.map(({ type }) => type))].sort()).toEqual([...COMMAND_TYPES].sort());
   });
 
@@ -64,7 +72,10 @@ describe('docs/format.md', () => {
   it.each([
     ['file', schema.$defs.documentFile],
     ['document', schema.$defs.document],
-    ['part', schema.$defs.part],
+    ['surface', schema.$defs.surfacePart],
+    ['body', schema.$defs.bodyPart],
+    ['term', schema.$defs.term],
+    ['warp', schema.$defs.term.properties.warp],
     ['brush', schema.$defs.brush],
     ['stroke', schema.$defs.stroke],
     ['sample', sample],
@@ -78,6 +89,27 @@ describe('docs/format.md', () => {
     for (const [key, field] of Object.entries(properties)) {
       for (const fact of facts(field as Field)) expect(rows.get(key)).toContain(fact);
       expect(rows.get(key)!.includes('required'), key).toBe(required.includes(key));
+    }
+  });
+
+  it.each([
+    ['node of `type`', schema.$defs.node.oneOf],
+    ['skel of `type`', schema.$defs.skel.oneOf],
+    [
+      'shape of `type`',
+      schema.$defs.node.oneOf.find(({ properties }: Variant) => properties.shape).properties.shape.oneOf,
+    ],
+  ])('has every %s with its fields', (head, variants: readonly Variant[]) => {
+    const rows = docs.split(`| ${head} | `)[1]!.split('\n\n')[0]!.split('\n').slice(2);
+    const types = variants.flatMap(({ properties: { type } }) => type!.enum ?? [type!.const!]);
+    const named = rows.flatMap((row) =>
+      [...row.split('|')[1]!.matchAll(/`(\w+)`/g)].map(([, name]) => name!),
+    );
+    expect(named).toEqual(types);
+    for (const { properties } of variants) {
+      const { type, ...fields } = properties;
+      const row = rows.find((text) => text.includes(`\`${type!.const ?? type!.enum![0]}\``));
+      for (const key of Object.keys(fields)) expect(row, key).toContain(`\`${key}\``);
     }
   });
 

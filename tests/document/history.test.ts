@@ -1,7 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { apply, type Command } from '../../src/document/command/index.ts';
-import { EMPTY_DOCUMENT, readingOf } from '../../src/document/document.ts';
+import { colourOf, EMPTY_DOCUMENT, readingOf } from '../../src/document/document.ts';
 import { commit, newHistory, redo, redoable, undo, undoable } from '../../src/document/history.ts';
 import { circle, halfCircle, line } from './strokes.ts';
 
@@ -30,7 +30,7 @@ describe('commands', () => {
   it('gives a part its own brush: the next colour does not repaint it', () => {
     const kept = [add(), KEEP].reduce(apply, EMPTY_DOCUMENT);
     const repainted = apply(kept, { type: 'setBrush', change: { colour: '#7d5238' } });
-    expect(repainted.parts[0]?.brush.colour).toBe(EMPTY_DOCUMENT.brush.colour);
+    expect(colourOf(repainted.parts[0]!)).toBe(EMPTY_DOCUMENT.brush.colour);
     expect(repainted.brush.colour).toBe('#7d5238');
   });
 

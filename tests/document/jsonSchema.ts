@@ -4,9 +4,24 @@ import type { GenericSchema } from 'valibot';
 import * as v from 'valibot';
 import { command } from '../../src/document/commandSchema.ts';
 import { commands, documentFile, scriptFile } from '../../src/document/fileSchema.ts';
+import { tree } from '../../src/document/nodeSchema.ts';
 import * as schemas from '../../src/document/schema.ts';
+import { skel, term } from '../../src/document/skelSchema.ts';
 
-const { brush, brushChange, document, draft, look, part, placement, plane, stroke, view } = schemas;
+const {
+  bodyPart,
+  surfacePart,
+  brush,
+  brushChange,
+  document,
+  draft,
+  look,
+  part,
+  placement,
+  plane,
+  stroke,
+  view,
+} = schemas;
 
 /** What has a name of its own in the schema. */
 const definitions: Readonly<Record<string, GenericSchema>> = {
@@ -16,6 +31,11 @@ const definitions: Readonly<Record<string, GenericSchema>> = {
   command,
   document,
   part,
+  surfacePart,
+  bodyPart,
+  node: tree,
+  term,
+  skel,
   draft,
   stroke,
   brush,
@@ -27,7 +47,7 @@ const definitions: Readonly<Record<string, GenericSchema>> = {
 };
 
 /** What a JSON Schema cannot say, or says by metadata beside it. */
-const IGNORED = ['check', 'raw_check', 'raw_transform', 'transform'];
+const IGNORED = ['check', 'finite', 'raw_check', 'raw_transform', 'transform'];
 
 export function jsonSchema(): object {
   const { $schema, $defs, ...whole } = toJsonSchema(v.union([documentFile, scriptFile, commands]), {
@@ -38,7 +58,7 @@ export function jsonSchema(): object {
   });
   return {
     $schema,
-    title: 'Rotund document or script, version 1',
+    title: 'Rotund document or script, version 1 or 2',
     description: 'Lengths in millimetres, right-handed, y up. See format.md for what a schema cannot say.',
     ...whole,
     $defs,

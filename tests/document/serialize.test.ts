@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { RESOLUTION } from '../../src/document/build.ts';
 import { COMMAND_TYPES } from '../../src/document/command/index.ts';
-import { EMPTY_DOCUMENT } from '../../src/document/document.ts';
+import { EMPTY_DOCUMENT, strokesOf } from '../../src/document/document.ts';
 import { EMPTY_DRAWING, FRONT_VIEW } from '../../src/document/drawing.ts';
 import { scriptOf } from '../../src/document/history.ts';
 import { LIMITS } from '../../src/document/limits.ts';
@@ -60,7 +60,7 @@ describe('a .rotund file', () => {
     expect({ view, look }).toEqual({ view: FRONT_VIEW, look: DEFAULT_LOOK });
     expect(document.nextId).toBe(2);
     expect(document.parts[0]).toMatchObject({ id: 'part-1', name: 'Tube 1', hidden: false });
-    expect(document.parts[0]?.strokes[0]).toMatchObject({ pointer: 'pen', closed: false });
+    expect(strokesOf(document.parts[0]!)[0]).toMatchObject({ pointer: 'pen', closed: false });
   });
 });
 

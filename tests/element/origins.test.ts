@@ -5,8 +5,9 @@ import { type Drawing, EMPTY_DRAWING } from '../../src/document/drawing.ts';
 import type { Origin } from '../../src/element/origins.ts';
 import { Origins } from '../../src/element/origins.ts';
 import { Session } from '../../src/element/session.ts';
+import type { Stroke } from '../../src/stroke/stroke.ts';
 
-const part = { id: 'p1', name: 'Body', strokes: [] as Part['strokes'], hidden: false } as Part;
+const part = { id: 'p1', name: 'Body', kind: 'tube', strokes: [] as readonly Stroke[] } as Part;
 
 const drawing = (name: string): Drawing => ({
   ...EMPTY_DRAWING,

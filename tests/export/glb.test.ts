@@ -4,7 +4,7 @@ import { describe, expect, it } from 'vitest';
 import { glb } from '../../src/export/glb.ts';
 import type { Model } from '../../src/export/index.ts';
 import { box, soup } from '../mesh/solids.ts';
-import { ballAndTube, EMPTY, namedBoxes, solidOf } from './models.ts';
+import { ballAndTube, EMPTY, namedBoxes, PAINT, painted, solidOf } from './models.ts';
 import { cornersOf, dot, measured, openEdges, readGlb, readGltf } from './readers.ts';
 
 async function written(model: Model): Promise<Uint8Array> {
@@ -63,11 +63,21 @@ describe('glb', () => {
     const [red] = json.materials!.map(({ pbrMetallicRoughness }) => pbrMetallicRoughness);
     const linear = [0xc8, 0x3c, 0x28].map((value) => ((value / 255 + 0.055) / 1.055) ** 2.4);
     linear.forEach((value, k) => {
-      expect(Math.abs(red!.baseColorFactor[k]! - value)).toBeLessThan(1e-12);
+      expect(Math.abs(red!.baseColorFactor![k]! - value)).toBeLessThan(1e-12);
     });
     expect(red).toMatchObject({ metallicFactor: 0 });
     expect(red!.roughnessFactor).toBeGreaterThan(0.5);
     expect(json.asset).toEqual({ generator: 'Rotund', version: '2.0' });
+  });
+
+  it('has the light of painted vertices, over white', async () => {
+    const [plain, body] = readGlb(await written(painted()));
+    expect(plain!.paint).toEqual([]);
+    expect(body!.colour).toEqual([1, 1, 1, 1]);
+    body!.paint.forEach((rgb, i) => {
+      expect(rgb).toEqual(PAINT[i % 3]!.map(Math.fround));
+    });
+    expect(body!.paint).toHaveLength(body!.positions.length);
   });
 
   const FLAT = soup(
@@ -88,6 +98,7 @@ describe('glb', () => {
     'odd names': () =>
       namedBoxes(['<script>', 'a\nb', '#', '', 'same', 'same', '\ud800', '"quoted"', '\u0000']),
     nothing: () => EMPTY,
+    'painted by vertex': painted,
     'a part without triangles': () => ({
       name: 'x',
       solids: [solidOf('none', soup([], [])), solidOf('box')],

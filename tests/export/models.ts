@@ -38,4 +38,19 @@ export const namedBoxes = (names: readonly string[]): Model => ({
   solids: names.map((name, i) => solidOf(name, box(1, 2, 3, [5 * i, 0, 0]), '#808080', `box-${i}`)),
 });
 
+/** Colours of the painted box, light, by vertex. */
+export const PAINT: readonly (readonly number[])[] = [
+  [1, 0, 0],
+  [0, 0.5, 0.002],
+  [0.25, 1, 0.75],
+];
+
+/** A box of one colour and a box painted by vertex, as bodies are. */
+export function painted(): Model {
+  const mesh = box(1, 2, 3, [9, 0, 0]);
+  const count = mesh.positions.length / 3;
+  const colours = new Float32Array(Array.from({ length: count }, (_, i) => PAINT[i % 3]!).flat());
+  return { name: 'painted', solids: [solidOf('plain'), solidOf('painted', { ...mesh, colours }, '#123456')] };
+}
+
 export const EMPTY: Model = { name: 'nothing', solids: [] };

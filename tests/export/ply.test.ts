@@ -1,7 +1,7 @@
 /** PLY: read back by its own header it is the mesh itself, with normals and the parts' colours. */
 import { describe, expect, it } from 'vitest';
 import { ply } from '../../src/export/ply.ts';
-import { ballAndTube, EMPTY } from './models.ts';
+import { ballAndTube, EMPTY, PAINT, painted } from './models.ts';
 import { bitsOf, readPly } from './readers.ts';
 
 describe('ply', () => {
@@ -28,6 +28,18 @@ describe('ply', () => {
     const border = model.solids[0]!.mesh.positions.length / 3;
     expect(new Set(colours.slice(0, border).map(String))).toEqual(new Set(['200,60,40']));
     expect(new Set(colours.slice(border).map(String))).toEqual(new Set(['43,89,195']));
+  });
+
+  it('gives painted vertices their own', async () => {
+    const { solids } = painted();
+    const [file] = await ply.write(painted());
+    const { colours } = readPly(file!.bytes);
+    const first = solids[0]!.mesh.positions.length / 3;
+    expect(new Set(colours.slice(0, first).map(String))).toEqual(new Set(['128,128,128']));
+    colours.slice(first).forEach((rgb, i) => {
+      const shown = PAINT[i % 3]!.map((x) => (x <= 0.0031308 ? 12.92 * x : 1.055 * x ** (1 / 2.4) - 0.055));
+      expect(rgb).toEqual(shown.map((x) => Math.round(255 * x)));
+    });
   });
 
   it('says who wrote it, in which unit and with which axes', async () => {

@@ -12,6 +12,8 @@ export interface ReadPart {
   readonly uvs: readonly (readonly number[])[];
   /** three places in `positions` each */
   readonly triangles: readonly (readonly number[])[];
+  /** by vertex, 0–1, as in the file; none where there is one for all */
+  readonly paint: readonly (readonly number[])[];
 }
 
 type Draft = {
@@ -25,6 +27,7 @@ const part = (name: string): Draft => ({
   normals: [],
   uvs: [],
   triangles: [],
+  paint: [],
 });
 
 export const asText = (bytes: Uint8Array): string => new TextDecoder('utf-8', { fatal: true }).decode(bytes);
@@ -44,7 +47,8 @@ export function readObj(bytes: Uint8Array, library: Uint8Array): ReadPart[] {
       parts.push(part(words[0]!));
       starts.push(seen + 1);
     } else if (keyword === 'v') {
-      now.positions.push(numbers);
+      now.positions.push(numbers.slice(0, 3));
+      if (numbers.length > 3) now.paint.push(numbers.slice(3));
       seen++;
     } else if (keyword === 'vt') now.uvs.push(numbers);
     else if (keyword === 'vn') now.normals.push(numbers);
@@ -151,7 +155,7 @@ export interface Gltf {
   }[];
   readonly materials?: readonly {
     readonly pbrMetallicRoughness: {
-      readonly baseColorFactor: readonly number[];
+      readonly baseColorFactor?: readonly number[];
       readonly metallicFactor: number;
       readonly roughnessFactor: number;
     };
@@ -178,6 +182,9 @@ export function readGltf(bytes: Uint8Array): { readonly json: Gltf; readonly bin
   return { json, binary };
 }
 
+/** glTF's default */
+const WHITE: readonly number[] = [1, 1, 1, 1];
+
 export function readGlb(bytes: Uint8Array): ReadPart[] {
   const { json, binary } = readGltf(bytes);
   const values = (index: number): number[][] => {
@@ -200,10 +207,11 @@ export function readGlb(bytes: Uint8Array): ReadPart[] {
     const flat = values(indices).flat();
     return {
       name: node.name,
-      colour: json.materials![material]!.pbrMetallicRoughness.baseColorFactor,
+      colour: json.materials![material]!.pbrMetallicRoughness.baseColorFactor ?? WHITE,
       positions: values(attributes.POSITION!),
       normals: values(attributes.NORMAL!),
       uvs: values(attributes.TEXCOORD_0!),
+      paint: attributes.COLOR_0 === undefined ? [] : values(attributes.COLOR_0),
       triangles: Array.from({ length: flat.length / 3 }, (_, i) => flat.slice(3 * i, 3 * i + 3)),
     };
   });

@@ -3,6 +3,7 @@
  * the registry from which `apply`, scripts and tests read.
  */
 import type { Document } from '../document.ts';
+import { addBody } from './addBody.ts';
 import { addStroke } from './addStroke.ts';
 import { drop } from './drop.ts';
 import { duplicateParts } from './duplicateParts.ts';
@@ -29,6 +30,7 @@ export interface CommandKind<Type extends string, Data> {
 
 const kinds = {
   addStroke,
+  addBody,
   keep,
   drop,
   setBrush,

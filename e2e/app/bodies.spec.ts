@@ -1,0 +1,196 @@
+/** Drawings with implicit bodies: opened, seen, taken in hand, exported, on both back ends and without a worker. */
+import { readFileSync } from 'node:fs';
+import { expect, type Page, test } from '@playwright/test';
+import { makeBody } from '../../src/document/bodies.ts';
+import { isBody } from '../../src/document/document.ts';
+import { parse } from '../../src/document/serialize.ts';
+import { exporters, modelOf } from '../../src/export/index.ts';
+import { bounds } from '../../src/mesh/measure.ts';
+import { takePicture } from '../picture.ts';
+
+const WHALE = readFileSync('public/samples/whale.rotund', 'utf8');
+
+const ball = (radius: number) => ({ type: 'shape', shape: { type: 'sphere', radius }, colour: [0, 0.6, 0] });
+const withBodies = (...nodes: readonly object[]): string =>
+  JSON.stringify({
+    format: 'rotund',
+    version: 2,
+    document: { parts: nodes.map((node) => ({ kind: 'body', node })) },
+  });
+
+const load = (page: Page, text: string) =>
+  page.evaluate((drawing) => document.querySelector('rotund-sketch')!.load(drawing), text);
+
+/** Nothing is being made any more. */
+const made = (page: Page) =>
+  expect
+    .poll(
+      () => page.evaluate(() => document.querySelector('rotund-sketch')!.session.bodies.making === null),
+      {
+        timeout: 60_000,
+      },
+    )
+    .toBe(true);
+
+async function open(page: Page, address: string, text: string): Promise<void> {
+  await page.goto(address);
+  await load(page, text);
+  await expect(page.locator('rotund-sketch')).toHaveAttribute('data-backend', /WebG/);
+  await made(page);
+}
+
+const triangles = (page: Page) =>
+  page.evaluate(() => document.querySelector('rotund-sketch')!.session.scene!.triangles);
+
+/** Pixels in which one channel of the three stands out. */
+async function coloured(page: Page, channel: 0 | 1 | 2): Promise<number> {
+  const picture = await takePicture(page);
+  let count = 0;
+  for (let y = 0; y < picture.height; y += 2)
+    for (let x = 0; x < picture.width; x += 2) {
+      const rgb = picture.at(x, y);
+      if (rgb[channel] - Math.min(...rgb) > 60 && rgb[channel] === Math.max(...rgb)) count++;
+    }
+  return count;
+}
+
+for (const [address, backend] of [
+  ['/', 'WebGPU'],
+  ['/?backend=webgl2', 'WebGL2'],
+] as const) {
+  test(`a whale is opened, seen and exported: ${backend}`, async ({ page }) => {
+    test.setTimeout(180_000);
+    const errors: string[] = [];
+    page.on('pageerror', (error) => errors.push(error.message));
+    await open(page, address, WHALE);
+    await expect(page.locator('rotund-sketch')).toHaveAttribute('data-backend', backend);
+    // a good part of the picture is a blue whale
+    expect(await coloured(page, 2)).toBeGreaterThan(4000);
+    const base64 = await page.evaluate(async () => {
+      const [file] = await document.querySelector('rotund-sketch')!.export('glb');
+      let binary = '';
+      for (const byte of file!.bytes) binary += String.fromCharCode(byte);
+      return btoa(binary);
+    });
+    const opened = parse(WHALE, 'whale.rotund');
+    for (const { node } of opened.document.parts.filter(isBody)) makeBody(node);
+    const [expected] = await exporters.glb.write(modelOf(opened.document, opened.name));
+    expect(Buffer.from(base64, 'base64').equals(expected!.bytes)).toBe(true);
+    expect(errors).toEqual([]);
+  });
+}
+
+test('a body is selected, coloured, moved, hidden, deleted and brought back like any part', async ({
+  page,
+}) => {
+  await open(page, '/', withBodies(ball(30)));
+  expect(await coloured(page, 1)).toBeGreaterThan(4000);
+  await page.getByRole('button', { name: 'Parts, 1' }).click();
+  const row = page.getByRole('row', { name: /^Body 1, Body, shapes only/ });
+  await row.click();
+  await expect(row).toHaveAttribute('aria-selected', 'true');
+  await expect(page.locator('.card-of-part')).toContainText('Several');
+  await expect(page.locator('.card-of-part')).toContainText('Implicit body');
+  await page.getByRole('radio', { name: 'Red' }).click();
+  await expect.poll(() => coloured(page, 0)).toBeGreaterThan(4000);
+  await page.getByRole('button', { name: 'Undo' }).click();
+  await expect.poll(() => coloured(page, 1)).toBeGreaterThan(4000);
+  await page.getByRole('button', { name: 'Move along X' }).focus();
+  await page.keyboard.press('Shift+ArrowRight');
+  const moved = await page.evaluate(
+    () => document.querySelector('rotund-sketch')!.document.parts[0]!.placement,
+  );
+  expect(moved.translation[0]).toBeCloseTo(10, 9);
+  await page.getByRole('button', { name: 'Hide Body 1' }).click();
+  await expect.poll(() => coloured(page, 1)).toBe(0);
+  await page.getByRole('button', { name: 'Undo' }).click();
+  await row.click();
+  await page.keyboard.press('Delete');
+  await expect.poll(() => coloured(page, 1)).toBe(0);
+  await page.getByRole('button', { name: 'Undo' }).click();
+  await expect.poll(() => coloured(page, 1)).toBeGreaterThan(4000);
+});
+
+test('the fine body is what stays, after whatever was shown before it', async ({ page }) => {
+  await page.goto('/');
+  await expect(page.locator('rotund-sketch')).toHaveAttribute('data-backend', /WebG/);
+  const seen = await page.evaluate(
+    async (text) => {
+      const sketch = document.querySelector('rotund-sketch')!;
+      const counts = new Set<number>();
+      let on = true;
+      const look = () => {
+        counts.add(sketch.session.scene!.triangles);
+        if (on) requestAnimationFrame(look);
+      };
+      look();
+      await sketch.load(text);
+      await sketch.session.bodies.settled();
+      await new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
+      on = false;
+      return [...counts].filter((count) => count > 0);
+    },
+    withBodies(ball(30)),
+  );
+  expect(seen.length).toBeGreaterThan(0);
+  expect(Math.max(...seen)).toBe(await triangles(page));
+  // a draft of 28 cells has some 5,000
+  expect(await triangles(page)).toBeGreaterThan(30_000);
+});
+
+test('what is replaced is no longer made', async ({ page }) => {
+  await page.goto('/');
+  await load(page, WHALE);
+  await load(page, withBodies(ball(20)));
+  await made(page);
+  const { parts } = await page.evaluate(() => document.querySelector('rotund-sketch')!.document);
+  expect(parts.map(({ name }) => name)).toEqual(['Body 1']);
+  const [file] = await page.evaluate(() => document.querySelector('rotund-sketch')!.export('stl'));
+  expect(Object.keys(file!.bytes).length).toBeGreaterThan(1000);
+});
+
+test('a body without a surface is told of, and stays in the drawing', async ({ page }) => {
+  const hollow = { type: 'subtraction', form: 'hard', parts: [ball(10), ball(20)] };
+  await open(page, '/', withBodies(ball(30), hollow));
+  await expect(page.getByRole('alert')).toContainText(
+    'Body 2 could not be made: Its field is nowhere above 0',
+  );
+  const { parts } = await page.evaluate(() => document.querySelector('rotund-sketch')!.document);
+  expect(parts).toHaveLength(2);
+  expect(await coloured(page, 1)).toBeGreaterThan(4000);
+});
+
+test('a file with a tree that makes no field is refused with its place', async ({ page }) => {
+  await page.goto('/');
+  const message = await page.evaluate(
+    (text) =>
+      document
+        .querySelector('rotund-sketch')!
+        .load(text, { name: 'bad.rotund' })
+        .catch((error: Error) => error.message),
+    withBodies({ type: 'union', form: 'hard', parts: [ball(3), ball(-1)] }),
+  );
+  expect(message).toBe(
+    'bad.rotund, document.parts[0].node.parts[1].shape: makes no field: radius must be above 0 mm, got -1',
+  );
+});
+
+test('without workers the page makes bodies itself', async ({ page }) => {
+  await page.addInitScript(() => Reflect.deleteProperty(window, 'Worker'));
+  await open(page, '/', withBodies(ball(30)));
+  expect(await coloured(page, 1)).toBeGreaterThan(4000);
+});
+
+test('a body that a script adds is where the script says', async ({ page }) => {
+  await page.goto('/');
+  const script = [
+    { type: 'addBody', node: ball(10), name: 'Ball', colour: '#4a7ab8' },
+    { type: 'moveParts', ids: ['part-1'], by: { translation: [7, 0, 0] } },
+  ];
+  await load(page, JSON.stringify(script));
+  await made(page);
+  const { document } = await page.evaluate(() => window.document.querySelector('rotund-sketch')!.drawing);
+  for (const { node } of document.parts.filter(isBody)) makeBody(node, 32);
+  expect(bounds(modelOf(document, 'x').solids[0]!.mesh).max[0]).toBeCloseTo(17, 2);
+  expect(await coloured(page, 2)).toBeGreaterThan(4000);
+});

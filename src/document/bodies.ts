@@ -1,0 +1,39 @@
+/**
+ * Meshes of bodies, kept by their trees. Making one takes from milliseconds to seconds, so that it is asked for: at once
+ * (`makeBody`: command line, tests) or beside the page by a worker, which hands in what it made (`keepBody`), coarse first. A
+ * part that is moved, hidden, named or coloured keeps its tree, and with it the mesh.
+ */
+import { bindField } from '../field/bind.ts';
+import type { FieldMesh } from '../field/latticeMesh.ts';
+import type { FieldNode } from '../field/node.ts';
+import { polygonize } from '../field/polygonize.ts';
+
+/** Along the longest side of a body, where nobody asks for others. */
+export const CELLS = 128;
+
+export interface Body {
+  readonly mesh: FieldMesh;
+  /** along the longest side */
+  readonly cells: number;
+  /** work of the polygonizer, evaluations of the field */
+  readonly evaluations: number;
+}
+
+const made = new WeakMap<FieldNode, Body>();
+
+/** What was made last; null: nothing yet. */
+export const bodyMade = (node: FieldNode): Body | null => made.get(node) ?? null;
+
+export function keepBody(node: FieldNode, body: Body): void {
+  made.set(node, body);
+}
+
+/** Made now, if it is not there in this resolution. FieldError for a tree without a field, which no checked document has. */
+export function makeBody(node: FieldNode, cells: number = CELLS): Body {
+  const known = bodyMade(node);
+  if (known?.cells === cells) return known;
+  const { mesh, evaluations } = polygonize(bindField(node), cells);
+  const body = { mesh, cells, evaluations };
+  keepBody(node, body);
+  return body;
+}

@@ -1,0 +1,40 @@
+/**
+ * What is in a body, in ConvMo's words (Tai et al. 2004): a component is a convolution sum, whose groups blend; a group has the
+ * skels of one silhouette. Until silhouettes exist a sum is one group. Curves count as one skel each; shapes are none.
+ */
+import type { FieldNode } from '../field/node.ts';
+
+export interface BodyCounts {
+  readonly components: number;
+  readonly groups: number;
+  readonly skels: number;
+}
+
+export const NO_BODY: BodyCounts = { components: 0, groups: 0, skels: 0 };
+
+export function bodyCounts(node: FieldNode): BodyCounts {
+  switch (node.type) {
+    case 'skels':
+      return { components: 1, groups: 1, skels: node.skels.length };
+    case 'shape':
+      return NO_BODY;
+    case 'blend':
+      return sumOf([node.a, node.b].map(bodyCounts));
+    case 'morph':
+      return sumOf([node.from, node.to].map(bodyCounts));
+    case 'affine':
+      return bodyCounts(node.node);
+    default:
+      return sumOf(node.parts.map(bodyCounts));
+  }
+}
+
+export const sumOf = (counts: readonly BodyCounts[]): BodyCounts =>
+  counts.reduce(
+    (sum, { components, groups, skels }) => ({
+      components: sum.components + components,
+      groups: sum.groups + groups,
+      skels: sum.skels + skels,
+    }),
+    NO_BODY,
+  );
