@@ -4,7 +4,7 @@
  * part that is moved, hidden, named or coloured keeps its tree, and with it the mesh.
  */
 import { bindField } from '../field/bind.ts';
-import type { FieldMesh } from '../field/latticeMesh.ts';
+import type { FieldMesh } from '../field/brickMesh.ts';
 import type { FieldNode } from '../field/node.ts';
 import { polygonize } from '../field/polygonize.ts';
 

@@ -13,7 +13,7 @@ import {
   STRIDE,
 } from './hermite.ts';
 import type { Lattice } from './lattice.ts';
-import type { Near, Tally } from './near.ts';
+import type { Corners, Near, Tally } from './near.ts';
 
 /** Of the 27 bricks around one: those before it. */
 export const BEFORE = 13;
@@ -58,7 +58,7 @@ const away = (value: number, slack: number): number =>
   value > 0 ? Math.max(value, 2 * slack + LEAST) : Math.min(value, -2 * slack - LEAST);
 const LEAST = 1e-30;
 
-export class BrickNodes {
+export class BrickNodes implements Corners {
   readonly #lattice: Lattice;
   readonly #tally: Tally;
   readonly #node = new Float64Array(STRIDE);
@@ -67,7 +67,6 @@ export class BrickNodes {
   #z = 0;
   #own: LeafNodes = new Map();
   #before: readonly (LeafNodes | null)[] = [];
-  /** whether the sign is enough where a leaf is surely not 0 */
   roughly = true;
   /** corners that no brick before has */
   readonly wanted = new Uint8Array(CORNERS);
@@ -86,12 +85,10 @@ export class BrickNodes {
     this.#before = before;
   }
 
-  /** of nodes, mm */
   get apart(): number {
     return 2 * this.#lattice.step;
   }
 
-  /** See `corners` of Near. */
   interpolated(near: Near, leaf: number, out: Float64Array): number {
     const nodes = new Float64Array(STRIDE * NODES);
     for (let n = 0; n < NODES; n++) this.#fill(nodes, n, near, leaf);
@@ -107,7 +104,6 @@ export class BrickNodes {
     return 0;
   }
 
-  /** The same by halves of the brick, each with a list of its own; where they are culled a rough value of the right sign. */
   halved(near: Near, missed: number, out: Float64Array): number {
     const { origin, step } = this.#lattice;
     const rough = new Float64Array(CORNERS);

@@ -6,7 +6,6 @@
 import type { Vec3 } from '../math/vec.ts';
 import type { FieldValue } from '../skeleton/skeleton.ts';
 import type { Taylor } from '../skeleton/taylor.ts';
-import type { BrickNodes } from './brickNodes.ts';
 import type { Colour } from './node.ts';
 
 /** Counts what is asked, in values of one skel (skeleton/work.ts), and numbers leaves and branches. One for a whole tree. */
@@ -44,11 +43,25 @@ export interface Near {
    * Writes the values at the 125 corners of a brick's cells, interpolated between its nodes where that is possible, and says by
    * how much they may be off for that, as far as the nodes tell.
    */
-  corners(nodes: BrickNodes, out: Float64Array): number;
+  corners(nodes: Corners, out: Float64Array): number;
   /** Every leaf of the tree once, also those that were left out. */
   eachLeaf(visit: (leaf: NearLeaf) => void): void;
   /** All leaves so that the whole is far above or below 0. */
   eachDropped(way: Way, visit: (leaf: NearLeaf) => void): void;
+}
+
+/** The corners of one brick's cells, for the leaves of its tree (brickNodes.ts). */
+export interface Corners {
+  /** of nodes, which are every second corner, mm */
+  readonly apart: number;
+  /** whether the sign is enough where a leaf is surely not 0 */
+  roughly: boolean;
+  /** Each writes 125 values and says by how much they may be off: from nodes, */
+  interpolated(near: Near, leaf: number, out: Float64Array): number;
+  /** by the list of the brick, */
+  exact(near: Near, out: Float64Array): number;
+  /** by lists of its halves, which may miss as much; where they are culled a rough value of the right sign. */
+  halved(near: Near, missed: number, out: Float64Array): number;
 }
 
 export type Way = 'low' | 'high';

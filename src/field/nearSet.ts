@@ -4,11 +4,10 @@
  * through, so that their shares of the budget are smaller.
  */
 import type { FieldValue } from '../skeleton/skeleton.ts';
-import type { BrickNodes } from './brickNodes.ts';
-import { colourOf, combinedValue, evaluateOf, type Kind, Scratch, signsOf } from './combined.ts';
+import { colourOf, combinedValue, evaluateOf, type Kind, Scratch, signsOf } from './fold.ts';
 import { hardUnion } from './hardUnion.ts';
 import { CORNERS } from './hermite.ts';
-import type { Near, NearLeaf, Way } from './near.ts';
+import type { Corners, Near, NearLeaf, Way } from './near.ts';
 import { type Colour, commonColour } from './node.ts';
 import type { Operation } from './operation.ts';
 
@@ -92,7 +91,7 @@ export class NearSet implements Near {
     return new NearSet(kept, [...this.#dropped, ...dropped], this.#operation, this.#kind, this.span);
   }
 
-  corners(nodes: BrickNodes, out: Float64Array): number {
+  corners(nodes: Corners, out: Float64Array): number {
     const [outer, sign] = signsOf(this.#kind);
     const other = new Float64Array(CORNERS);
     const wasRough = nodes.roughly;

@@ -2,9 +2,8 @@
 import type { Facets } from '../shape/shape.ts';
 import type { FieldValue } from '../skeleton/skeleton.ts';
 import { WITH_GRADIENT } from '../skeleton/work.ts';
-import type { BrickNodes } from './brickNodes.ts';
 import type { LeafFrame } from './leafFrame.ts';
-import type { Near, NearLeaf, Tally, Way } from './near.ts';
+import type { Corners, Near, NearLeaf, Tally, Way } from './near.ts';
 import type { Colour } from './node.ts';
 import type { TreeField } from './treeField.ts';
 
@@ -105,7 +104,7 @@ class NearShape implements Near {
     return new NearShape(this.#whole, range[0]!, range[1]!);
   }
 
-  corners(nodes: BrickNodes, out: Float64Array): number {
+  corners(nodes: Corners, out: Float64Array): number {
     return nodes.exact(this, out);
   }
 

@@ -10,12 +10,11 @@ import type { Vec3 } from '../math/vec.ts';
 import { type FieldValue, SPREAD } from '../skeleton/skeleton.ts';
 import { evaluateTaylor, shiftedTaylor, TAYLOR, taylorAt } from '../skeleton/taylor.ts';
 import { TEST, WITH_GRADIENT } from '../skeleton/work.ts';
-import type { BrickNodes } from './brickNodes.ts';
+import { type BoundTerm, UNSEEN } from './boundTerm.ts';
 import { AROUND, closed, roundedHalf } from './closed.ts';
 import type { LeafFrame } from './leafFrame.ts';
-import type { Far, Near, NearLeaf, Tally, Way } from './near.ts';
+import type { Corners, Far, Near, NearLeaf, Tally, Way } from './near.ts';
 import { type Colour, commonColour } from './node.ts';
-import { type BoundTerm, UNSEEN } from './skelSum.ts';
 
 /** A term with its number in the sum. */
 interface NearTerm extends BoundTerm {
@@ -154,7 +153,7 @@ class NearSum implements Near {
     this.evaluate(x, y, z, out);
   }
 
-  corners(nodes: BrickNodes, out: Float64Array): number {
+  corners(nodes: Corners, out: Float64Array): number {
     const { width, leaf, steep } = this.#whole;
     if (nodes.apart <= RESOLVED * width) return nodes.interpolated(this, leaf, out);
     return nodes.roughly ? nodes.halved(this, (2 * this.error) / steep, out) : nodes.exact(this, out);

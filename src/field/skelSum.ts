@@ -2,27 +2,14 @@
  * Σ λ_i F_i − T. The colour is the mean of those of the skels, weighted by what they add to the field beyond a thousandth of T:
  * less is not seen, and in float32 it may be a residue of either sign. What carves has no colour.
  */
-import {
-  type Box,
-  FieldError,
-  type FieldValue,
-  type SkelField,
-  SPREAD,
-  type Spread,
-} from '../skeleton/skeleton.ts';
+import { type Box, FieldError, type FieldValue, SPREAD, type Spread } from '../skeleton/skeleton.ts';
+import { type BoundTerm, UNSEEN } from './boundTerm.ts';
 import { grown, unite } from './boxes.ts';
 import { AROUND, closed, roundedHalf } from './closed.ts';
 import type { LeafFrame } from './leafFrame.ts';
 import type { Near, Tally } from './near.ts';
 import { nearSum } from './nearSum.ts';
-import type { Colour } from './node.ts';
 import type { LeafField, TreeField } from './treeField.ts';
-
-export interface BoundTerm {
-  readonly field: SkelField;
-  readonly factor: number;
-  readonly colour: Colour;
-}
 
 /** FieldError when it is not above 0. */
 export function checkThreshold(threshold: number): void {
@@ -40,8 +27,6 @@ export function skelSum(
   return new SkelSum(terms, threshold, width ?? reachOf(terms, threshold));
 }
 
-/** of T: what adds less has no colour */
-export const UNSEEN = 1e-3;
 /** what a Cauchy kernel's width is of the radius of a point or a tube that is as steep as one of 1/r⁵ */
 const STEEP = 0.3;
 
