@@ -93,10 +93,8 @@ function bindSkels(node: SkelsNode): LeafField {
   if (!kernel) throw new FieldError(`unknown kernel '${node.kernel}'`);
   at('params', () => checkParams(kernel, node.params));
   checkThreshold(node.threshold);
-  const colour = at('colour', () => checkedColour(node.colour ?? PLAIN));
-  const terms = node.skels.flatMap((term, i) =>
-    at(`skels[${i}]`, () => bindTerm(term, kernel, { ...node, colour })),
-  );
+  at('colour', () => checkedColour(node.colour ?? PLAIN));
+  const terms = node.skels.flatMap((term, i) => at(`skels[${i}]`, () => boundTerms(term, node)));
   return skelSum(terms, node.threshold, widthOf(kernel, node.params));
 }
 
@@ -105,10 +103,28 @@ function widthOf(kernel: Kernel, params: KernelParams): number | null {
   return kernel.homogeneity === 0 ? kernel.unit(checkedParams(kernel, params), 1) : null;
 }
 
+/** What was bound of a term, and of what body: trees that are edited keep most of their terms. */
+const bound = new WeakMap<Term, { readonly key: string; readonly pieces: readonly BoundTerm[] }>();
+
+/** The same for the same term of a body with the same kernel, threshold and colour. */
+export function boundTerms(
+  term: Term,
+  { kernel, params, threshold, colour }: SkelsNode,
+): readonly BoundTerm[] {
+  const key = JSON.stringify([kernel, params, threshold, colour ?? PLAIN]);
+  const known = bound.get(term);
+  if (known?.key === key) return known.pieces;
+  const pieces = bindTerm(term, kernelNamed(kernel)!, { params, threshold, colour: colour ?? PLAIN });
+  bound.set(term, { key, pieces });
+  return pieces;
+}
+
+type Body = Required<Pick<SkelsNode, 'params' | 'threshold' | 'colour'>>;
+
 function bindTerm(
   { skel, factor = 1, warp, colour }: Term,
   kernel: Kernel,
-  { params, threshold, colour: plain }: Required<SkelsNode>,
+  { params, threshold, colour: plain }: Body,
 ): BoundTerm[] {
   if (!Number.isFinite(factor)) throw new FieldError(`factor must be a number, got ${factor}`);
   const painted = colour ? checkedColour(colour) : plain;

@@ -60,9 +60,12 @@ class Combined implements TreeField {
   }
 
   near(tally: Tally): Near {
-    const first = tally.branches;
+    const [branch, leaf] = [tally.branches, tally.leaves];
     const parts = this.#parts.map((part) => part.near(tally));
-    return new NearSet(parts, [], this.#operation, this.#kind, [first, tally.branches]);
+    return new NearSet(parts, [], this.#operation, this.#kind, {
+      span: [branch, tally.branches],
+      leaves: [leaf, tally.leaves],
+    });
   }
 
   boxAbove(level: number): Box | null {

@@ -6,6 +6,7 @@
 import type { Vec3 } from '../math/vec.ts';
 import type { FieldValue } from '../skeleton/skeleton.ts';
 import type { Taylor } from '../skeleton/taylor.ts';
+import type { BoundTerm } from './boundTerm.ts';
 import type { Colour } from './node.ts';
 
 /** Counts what is asked, in values of one skel (skeleton/work.ts), and numbers leaves and branches. One for a whole tree. */
@@ -27,6 +28,8 @@ export interface Near {
   readonly branches: number;
   /** the first of their numbers in the tree, and beyond the last, those that were left out among them */
   readonly span: readonly [first: number, end: number];
+  /** the same of its leaves */
+  readonly leaves: readonly [first: number, end: number];
   /** the colour that it has everywhere; null where that is not known */
   readonly plain: Colour | null;
   value(x: number, y: number, z: number): number;
@@ -44,6 +47,13 @@ export interface Near {
    * how much they may be off for that, as far as the nodes tell.
    */
   corners(nodes: Corners, out: Float64Array): number;
+  /** of its values near the surface, a millimetre, nearly */
+  readonly steep: number;
+  /**
+   * By how much its values in the cube may differ from those of `newer`, the same tree after changes, in a cube around; Infinity where
+   * that is not known. `stale`: by how much this field may be off already.
+   */
+  effect(newer: Near, changes: Changes, x: number, y: number, z: number, half: number, stale: number): number;
   /** Every leaf of the tree once, also those that were left out. */
   eachLeaf(visit: (leaf: NearLeaf) => void): void;
   /** All leaves so that the whole is far above or below 0. */
@@ -63,6 +73,15 @@ export interface Corners {
   /** by lists of its halves, which may miss as much; where they are culled a rough value of the right sign. */
   halved(near: Near, missed: number, out: Float64Array): number;
 }
+
+/** What became of leaves, by their numbers; those that are not there are as they were. */
+export type Changes = ReadonlyMap<number, LeafChange>;
+
+/** Terms that went and terms that came; null: it is another leaf. */
+export type LeafChange = {
+  readonly removed: readonly BoundTerm[];
+  readonly added: readonly BoundTerm[];
+} | null;
 
 export type Way = 'low' | 'high';
 

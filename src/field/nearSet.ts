@@ -7,7 +7,7 @@ import type { FieldValue } from '../skeleton/skeleton.ts';
 import { colourOf, combinedValue, evaluateOf, type Kind, Scratch, signsOf } from './fold.ts';
 import { hardUnion } from './hardUnion.ts';
 import { CORNERS } from './hermite.ts';
-import type { Corners, Near, NearLeaf, Way } from './near.ts';
+import type { Changes, Corners, Near, NearLeaf, Way } from './near.ts';
 import { type Colour, commonColour } from './node.ts';
 import type { Operation } from './operation.ts';
 
@@ -24,6 +24,8 @@ export class NearSet implements Near {
   readonly asked: number;
   readonly branches: number;
   readonly span: readonly [first: number, end: number];
+  readonly leaves: readonly [first: number, end: number];
+  readonly steep: number;
   readonly plain: Colour | null;
   readonly #parts: readonly Near[];
   readonly #dropped: readonly Dropped[];
@@ -36,9 +38,11 @@ export class NearSet implements Near {
     dropped: readonly Dropped[],
     operation: Operation,
     kind: Kind,
-    span: Near['span'],
+    { span, leaves }: Pick<Near, 'span' | 'leaves'>,
   ) {
     this.span = span;
+    this.leaves = leaves;
+    this.steep = parts.reduce((least, { steep }) => Math.min(least, steep), Infinity);
     this.#parts = parts;
     this.#dropped = dropped;
     this.#operation = operation;
@@ -85,10 +89,48 @@ export class NearSet implements Near {
   within(x: number, y: number, z: number, half: number, missed: number): Near {
     const parts = this.#parts.map((part, i) => part.within(x, y, z, half, missed * this.#shareOf(i)));
     if (this.#operation !== hardUnion) {
-      return new NearSet(parts, this.#dropped, this.#operation, this.#kind, this.span);
+      return new NearSet(parts, this.#dropped, this.#operation, this.#kind, this);
     }
     const { kept, dropped } = largestOf(parts, this.#kind);
-    return new NearSet(kept, [...this.#dropped, ...dropped], this.#operation, this.#kind, this.span);
+    return new NearSet(kept, [...this.#dropped, ...dropped], this.#operation, this.#kind, this);
+  }
+
+  effect(
+    newer: Near,
+    changes: Changes,
+    x: number,
+    y: number,
+    z: number,
+    half: number,
+    stale: number,
+  ): number {
+    if (!isChanged(this, changes)) return 0;
+    if (!(newer instanceof NearSet)) return Infinity;
+    const [, sign] = signsOf(this.#kind);
+    const unchanged = this.#parts.filter((part) => !isChanged(part, changes));
+    const least = unchanged.reduce((most, part) => Math.max(most, this.#turnedRange(part)[0]!), -Infinity);
+    const effects = this.#parts.map((part) => {
+      const other = isChanged(part, changes) ? newer.#part(part) : null;
+      if (other) return part.effect(other, changes, x, y, z, half, stale);
+      return isChanged(part, changes) ? Infinity : 0;
+    });
+    // what did not matter may do now
+    for (const { part } of this.#dropped) {
+      const other = isChanged(part, changes) ? newer.#part(part) : null;
+      if (!other) continue;
+      const high = turned(other.within(x, y, z, half, 0), sign)[1]!;
+      if (!(high + stale < least)) return Infinity;
+    }
+    return this.#together(effects);
+  }
+
+  #part({ leaves }: Near): Near | null {
+    return this.#parts.find((part) => part.leaves[0] === leaves[0]) ?? null;
+  }
+
+  #turnedRange(part: Near): Float64Array {
+    const [outer, sign] = signsOf(this.#kind);
+    return turned(part, part.leaves[0] === this.leaves[0] ? outer : sign);
   }
 
   corners(nodes: Corners, out: Float64Array): number {
@@ -147,6 +189,11 @@ export class NearSet implements Near {
     for (const part of rest) this.#operation.range(range, turned(part, sign), range);
     return turned({ low: range[0]!, high: range[1]! }, outer);
   }
+}
+
+function isChanged({ leaves: [first, end] }: Near, changes: Changes): boolean {
+  for (let leaf = first; leaf < end; leaf++) if (changes.has(leaf)) return true;
+  return false;
 }
 
 type Range = Pick<Near, 'low' | 'high'>;

@@ -3,7 +3,7 @@ import type { Facets } from '../shape/shape.ts';
 import type { FieldValue } from '../skeleton/skeleton.ts';
 import { WITH_GRADIENT } from '../skeleton/work.ts';
 import type { LeafFrame } from './leafFrame.ts';
-import type { Corners, Near, NearLeaf, Tally, Way } from './near.ts';
+import type { Changes, Corners, Near, NearLeaf, Tally, Way } from './near.ts';
 import type { Colour } from './node.ts';
 import type { TreeField } from './treeField.ts';
 
@@ -106,6 +106,19 @@ class NearShape implements Near {
 
   corners(nodes: Corners, out: Float64Array): number {
     return nodes.exact(this, out);
+  }
+
+  get steep(): number {
+    return this.#whole.frame?.scale ?? 1;
+  }
+
+  get leaves(): readonly [number, number] {
+    const { leaf } = this.#whole;
+    return [leaf, leaf + 1];
+  }
+
+  effect(_: Near, changes: Changes): number {
+    return changes.has(this.#whole.leaf) ? Infinity : 0;
   }
 
   eachLeaf(visit: (leaf: NearLeaf) => void): void {

@@ -13,7 +13,7 @@ import { TEST, WITH_GRADIENT } from '../skeleton/work.ts';
 import { type BoundTerm, UNSEEN } from './boundTerm.ts';
 import { AROUND, closed, roundedHalf } from './closed.ts';
 import type { LeafFrame } from './leafFrame.ts';
-import type { Corners, Far, Near, NearLeaf, Tally, Way } from './near.ts';
+import type { Changes, Corners, Far, Near, NearLeaf, Tally, Way } from './near.ts';
 import { type Colour, commonColour } from './node.ts';
 
 /** A term with its number in the sum. */
@@ -157,6 +157,35 @@ class NearSum implements Near {
     const { width, leaf, steep } = this.#whole;
     if (nodes.apart <= RESOLVED * width) return nodes.interpolated(this, leaf, out);
     return nodes.roughly ? nodes.halved(this, (2 * this.error) / steep, out) : nodes.exact(this, out);
+  }
+
+  get steep(): number {
+    const { steep, frame } = this.#whole;
+    return steep * (frame?.scale ?? 1);
+  }
+
+  get leaves(): readonly [number, number] {
+    const { leaf } = this.#whole;
+    return [leaf, leaf + 1];
+  }
+
+  /** Of what came less what went: moved a little, both hardly differ. */
+  effect(_: Near, changes: Changes, x: number, y: number, z: number, cube: number): number {
+    const { leaf, frame, tally } = this.#whole;
+    const change = changes.get(leaf);
+    if (!change) return change === undefined ? 0 : Infinity;
+    const half = roundedHalf(x, y, z, cube);
+    const off = frame?.off(x, y, z, AROUND * half) ?? 0;
+    frame?.enter(x, y, z);
+    const [px, py, pz] = frame ? [frame.x, frame.y, frame.z] : [x, y, z];
+    const radius = (frame?.reach(AROUND * half) ?? AROUND * half) + off;
+    spread.fill(0);
+    for (const { field, factor } of change.added) field.spread(px, py, pz, radius, factor, spread);
+    for (const { field, factor } of change.removed) field.spread(px, py, pz, radius, -factor, spread);
+    tally.work += (WITH_GRADIENT + TEST) * (change.added.length + change.removed.length);
+    frame?.turn(spread);
+    closed(spread, half + off, range);
+    return (frame?.scale ?? 1) * Math.max(Math.abs(range[0]!), Math.abs(range[1]!));
   }
 
   eachLeaf(visit: (leaf: NearLeaf) => void): void {
