@@ -1,0 +1,15 @@
+// What the plan found, for the stages after it.
+
+struct State {
+  // vertices on edges, crossed cells, triangles, vertices in the middle of loops
+  counts: vec4u,
+  // not 0 where a buffer is too small: nothing is written then
+  overflow: u32,
+}
+
+@group(0) @binding(10) var<uniform> state: State;
+
+// threads of dispatches that go on in y
+fn item_of(group: vec3u, groups: vec3u, thread: u32) -> u32 {
+  return 64u * (group.x + groups.x * group.y) + thread;
+}
