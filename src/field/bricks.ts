@@ -9,7 +9,7 @@ export const OUTSIDE = -1;
 export const INSIDE = -2;
 
 export interface Bricks {
-  /** Cells: a multiple of 4 along each axis. The nodes of its border count as outside. */
+  /** Cells: a multiple of 4 along each axis. The nodes of its border count as outside, so that INSIDE bricks are none of its own. */
   readonly lattice: Lattice;
   /** those that may hold surface, ascending by number i + bx (j + by k), bx = (counts[0] − 1)/4 */
   readonly active: readonly Brick[];

@@ -65,6 +65,7 @@ export function encodeField(
   bound: Bound,
   bricks: Bricks,
 ) {
+  if (bricks.active.length === 0) return;
   for (const name of ['nodes', 'share'] as const) {
     bind(device, pass, stages, name, bound);
     pass.dispatchWorkgroups(...groupsOf(bricks.active.length));

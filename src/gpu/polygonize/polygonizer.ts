@@ -33,7 +33,7 @@ const MOST: Capacity = { vertices: 0.75 * (MOST_BYTES / 16), triangles: Math.flo
 export function gpuPolygonizer(
   device: GPUDevice,
   capacity: Capacity | null = null,
-  changed: Modules = {},
+  changed: Modules | null = null,
 ): GpuPolygonizer {
   return new Polygonizer(device, capacity, changed);
 }
@@ -51,7 +51,7 @@ class Polygonizer implements GpuPolygonizer {
   #isGone = false;
   #lost: string | null = null;
 
-  constructor(device: GPUDevice, capacity: Capacity | null, changed: Modules) {
+  constructor(device: GPUDevice, capacity: Capacity | null, changed: Modules | null) {
     this.#device = device;
     this.#first = capacity;
     this.#stages = stagesOn(device, changed);

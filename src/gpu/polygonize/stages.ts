@@ -53,11 +53,19 @@ export interface Stages {
   readonly scan: Scan;
 }
 
-/** Makes each pipeline once. `changed`: modules that stand in for others. */
-export function stagesOn(
-  device: GPUDevice,
-  changed: Modules = {},
-): (ingredients: Ingredients) => Promise<Stages> {
+type Load = (ingredients: Ingredients) => Promise<Stages>;
+
+const made = new WeakMap<GPUDevice, Load>();
+
+/** The stages for ingredients, each compiled once a device. `changed`: modules that stand in for others, for those who ask alone. */
+export function stagesOn(device: GPUDevice, changed: Modules | null = null): Load {
+  if (changed) return loader(device, changed);
+  const load = made.get(device) ?? loader(device, {});
+  made.set(device, load);
+  return load;
+}
+
+function loader(device: GPUDevice, changed: Modules): Load {
   const known = new Map<string, Promise<Stages>>();
   let plain: Promise<Plain> | null = null;
   return (ingredients) => {
