@@ -6,7 +6,7 @@
 // of each brick: what all bricks before it have
 @group(0) @binding(1) var<storage, read> before: array<vec4u>;
 @group(0) @binding(2) var<storage, read> cells: array<vec2u>;
-// as classify.wgsl left them; the first vertex becomes its number in the mesh
+// as number.wgsl left them; the first vertex becomes its number in the mesh
 @group(0) @binding(3) var<storage, read_write> crossings: array<u32>;
 // of each vertex on an edge: 384 · brick + 3 · node + axis
 @group(0) @binding(4) var<storage, read_write> vertex_edges: array<u32>;
@@ -41,8 +41,8 @@ fn compact(
 fn list_cell(number: u32, first: vec4u) {
   let cell = cells[number];
   let row = cell.x & 65535u;
-  // first and last row of the loop table are those of cells without surface
-  if (row == 0u || row == lattice.capacities.w) {
+  // the first row of the loop table is that of cells without surface
+  if (row == 0u) {
     return;
   }
   let triangle = first.z + (cell.y & 65535u);

@@ -1,5 +1,5 @@
 /**
- * The stages one after the other: nodes → share → classify → scan → plan → compact → vertices → emit. How many vertices and cells
+ * The stages one after the other: nodes → share → classify → number → scan → plan → compact → vertices → emit. How many vertices and cells
  * there are only the device knows: it plans its own dispatches and the draw (Kravtsov §1.3.1 in five steps, but indexed).
  */
 import type { Bricks } from '../../field/bricks.ts';
@@ -28,7 +28,7 @@ export function uploadField(buffers: Buffers, program: Program, bricks: Bricks, 
   if (!along.every((count) => Number.isInteger(count) && count >= 1 && count <= MOST_ALONG))
     throw new RangeError(`a lattice of ${lattice.counts.join(' × ')} nodes has no bricks of four cells`);
   const { origin, step } = lattice;
-  const capacities = [room.vertices, 3 * room.triangles, cellsOf(room), LOOPS.length / 4 - 1];
+  const capacities = [room.vertices, 3 * room.triangles, cellsOf(room), 0];
   const header = LATTICE.pack([{ origin, step, bricks: [...along, active.length], capacities }]);
   return {
     records: buffers.put('records', program.records, USAGE.storage),
@@ -84,6 +84,8 @@ export function encodeMesh(
   const start = (name: StageName) => bind(device, pass, stages, name, bound);
   start('classify');
   pass.dispatchWorkgroups(...groups);
+  start('number');
+  pass.dispatchWorkgroups(Math.ceil(rooms(bricks) / 64));
   stages.scan.encode(pass, bound.counts!, bound.totals!);
   start('plan');
   pass.dispatchWorkgroups(1);

@@ -17,7 +17,7 @@ export const LATTICE = record('Lattice', {
   step: 'f32',
   /** along x, y, z; active ones */
   bricks: 'vec4u',
-  /** vertices, indices, crossed cells; last row of the loop table */
+  /** vertices, indices, crossed cells */
   capacities: 'vec4u',
 });
 
@@ -25,7 +25,8 @@ export const LATTICE = record('Lattice', {
 export const STAGES = {
   nodes: { grid: 0, values: 1, lattice: 8 },
   share: { grid: 0, values: 1, lists: 2, lattice: 8 },
-  classify: { grid: 0, values: 1, lists: 2, crossings: 3, cells: 4, counts: 5, lattice: 8, loops: 9 },
+  classify: { grid: 0, values: 1, lists: 2, crossings: 3, cells: 4, lattice: 8, loops: 9 },
+  number: { crossings: 1, cells: 2, counts: 3, lattice: 8, loops: 9 },
   plan: { totals: 0, state: 1, dispatches: 2, draw: 3, lattice: 8 },
   compact: { counts: 1, cells: 2, crossings: 3, vertexEdges: 4, crossedCells: 5, lattice: 8, state: 10 },
   vertices: { values: 1, vertexEdges: 2, positions: 3, normals: 4, colours: 5, lattice: 8, state: 10 },
@@ -46,7 +47,7 @@ export const STAGES = {
 
 export type StageName = keyof typeof STAGES;
 const EVALUATING = ['nodes', 'vertices'] as const;
-const PLAIN = ['share', 'classify', 'plan', 'compact', 'emit'] as const;
+const PLAIN = ['share', 'classify', 'number', 'plan', 'compact', 'emit'] as const;
 
 export interface Stages {
   readonly pipelines: Readonly<Record<StageName, GPUComputePipeline>>;

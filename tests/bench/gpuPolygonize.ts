@@ -1,0 +1,125 @@
+/**
+ * The polygonizer on the GPU, a branching tree of 64 segments: values at the nodes of active bricks by near lists, against all skels at
+ * all nodes of the lattice on the same adapter; then all stages of the mesh. Culling and lists are the CPU's and timed apart.
+ */
+import { bindField } from '../../src/field/bind.ts';
+import type { Bricks } from '../../src/field/bricks.ts';
+import { type Lattice, latticePoints } from '../../src/field/lattice.ts';
+import type { SkelsNode } from '../../src/field/node.ts';
+import { dispatch } from '../../src/gpu/dispatch.ts';
+import { Buffers } from '../../src/gpu/polygonize/buffers.ts';
+import { encodeField, uploadField } from '../../src/gpu/polygonize/encode.ts';
+import { packLists } from '../../src/gpu/polygonize/lists.ts';
+import { gpuPolygonizer } from '../../src/gpu/polygonize/polygonizer.ts';
+import { stagesOn } from '../../src/gpu/polygonize/stages.ts';
+import { programOf } from '../../src/gpu/program.ts';
+import { bricksOf, linearNear } from '../fixtures/bricks.ts';
+import { valueOnly } from './gpuTiming.ts';
+import TREE from './scenes/tree64.json' with { type: 'json' };
+import { rounded } from './timing.ts';
+
+const CELLS = 128;
+const ROUNDS = 5;
+/** of the layers of nodes one in so many is evaluated densely, for all of them take too long on software adapters */
+const LAYERS = 8;
+/** of T, as the error targets allow */
+const NEGLECTED = 3e-3;
+
+// a file holds arrays, whose lengths the compiler does not know
+const NODE = TREE as unknown as SkelsNode;
+const LATTICE: Lattice = {
+  origin: [-1, -1, -1],
+  step: 2 / CELLS,
+  counts: [CELLS + 1, CELLS + 1, CELLS + 1],
+};
+
+export async function timePolygonizer(device: GPUDevice): Promise<void> {
+  bindField(NODE);
+  const culling = await least(1, async () => bricksOf(NODE, LATTICE, linearNear(NODE, NEGLECTED)));
+  const bricks = culling.result;
+  const program = programOf(NODE);
+  const packing = await least(ROUNDS, async () => packLists(program, bricks.active));
+  const dense = await denseTime(device);
+  const nodes = await fieldTime(device, bricks);
+  const mesh = await meshTime(device, bricks);
+  console.log(`Polygonizer on the GPU, 64 segments, ${CELLS}³ cells, ${bricks.active.length} active bricks`);
+  console.table([
+    {
+      'all skels at all nodes, ms': rounded(dense),
+      'nodes by lists, ms': rounded(nodes),
+      ratio: rounded(dense / nodes),
+      'whole mesh, ms': rounded(mesh.ms),
+      triangles: mesh.triangles,
+      'CPU: bricks and lists, ms': rounded(culling.ms),
+      'packed, ms': rounded(packing.ms),
+      'near a brick': rounded(nearOf(bricks) / bricks.active.length),
+    },
+  ]);
+}
+
+/** Values come back, as from any field; that is a small part of it. */
+async function denseTime(device: GPUDevice): Promise<number> {
+  const { bound, pipeline } = await valueOnly(device, NODE);
+  const points = latticePoints(LATTICE);
+  const layer = 3 * LATTICE.counts[0] * LATTICE.counts[1];
+  const some = points.filter((_, i) => Math.floor(i / layer) % LAYERS === 0);
+  // the first run compiles on some drivers
+  await dispatch(device, bound, pipeline, points.subarray(0, 3));
+  const { ms } = await least(1, () => dispatch(device, bound, pipeline, some));
+  bound.destroy();
+  return (ms * points.length) / some.length;
+}
+
+/** The values of all nodes of active bricks, once lists are on the device. */
+async function fieldTime(device: GPUDevice, bricks: Bricks): Promise<number> {
+  const program = programOf(NODE);
+  const stages = await stagesOn(device)(program.ingredients);
+  const buffers = new Buffers(device);
+  const bound = uploadField(buffers, program, bricks, { vertices: 1, triangles: 1 });
+  const { ms } = await least(ROUNDS, async () => {
+    const encoder = device.createCommandEncoder();
+    const pass = encoder.beginComputePass();
+    encodeField(device, pass, stages, bound, bricks);
+    pass.end();
+    device.queue.submit([encoder.finish()]);
+    await device.queue.onSubmittedWorkDone();
+  });
+  buffers.destroy();
+  return ms;
+}
+
+/** All stages, the packing and sending of lists counted in. */
+async function meshTime(device: GPUDevice, bricks: Bricks) {
+  const polygonizer = gpuPolygonizer(device);
+  const { ms } = await least(ROUNDS, async () => {
+    const mesh = await polygonizer.polygonize(NODE, bricks);
+    await device.queue.onSubmittedWorkDone();
+    mesh.destroy();
+  });
+  const mesh = await polygonizer.whole(NODE, bricks);
+  const { triangles } = await mesh.needed();
+  polygonizer.destroy();
+  return { ms, triangles };
+}
+
+/** Least milliseconds of so many rounds, after one that does not count where there are several. */
+async function least<T>(rounds: number, work: () => Promise<T>): Promise<{ ms: number; result: T }> {
+  let result = rounds > 1 ? await work() : null;
+  let ms = Infinity;
+  for (let round = 0; round < rounds; round++) {
+    const start = performance.now();
+    result = await work();
+    ms = Math.min(ms, performance.now() - start);
+  }
+  return { ms, result: result as T };
+}
+
+function nearOf({ active }: Bricks): number {
+  let near = 0;
+  for (const brick of active) {
+    brick.near.eachLeaf((leaf) => {
+      near += 'terms' in leaf ? (leaf.terms?.length ?? 0) : 0;
+    });
+  }
+  return near;
+}
