@@ -2,11 +2,9 @@
 import { afterAll, expect, it } from 'vitest';
 import { bindField } from '../../../src/field/bind.ts';
 import type { Bricks } from '../../../src/field/bricks.ts';
-import { type Lattice, latticeOver, nodeCount } from '../../../src/field/lattice.ts';
+import { type Lattice, latticeOver } from '../../../src/field/lattice.ts';
 import type { FieldMesh } from '../../../src/field/latticeMesh.ts';
-import { meshing } from '../../../src/field/latticeMesh.ts';
 import type { FieldNode, Term } from '../../../src/field/node.ts';
-import type { TreeField } from '../../../src/field/treeField.ts';
 import { gpuPolygonizer } from '../../../src/gpu/polygonize/polygonizer.ts';
 import type { Vec3 } from '../../../src/math/vec.ts';
 import { topology } from '../../../src/mesh/check.ts';
@@ -15,25 +13,10 @@ import { brickLattice, bricksOf, linearNear } from '../../fixtures/bricks.ts';
 import { withDevice } from '../compute.ts';
 import { closeDawn, describeGpu } from '../dawn.ts';
 import { allBricks, noiseField, noiseModules } from './noise.ts';
+import { onCpu } from './onCpu.ts';
 import { placesOf, trianglesOf } from './places.ts';
 
 afterAll(closeDawn);
-
-/** Of all values. */
-function onCpu(field: TreeField, lattice: Lattice): FieldMesh {
-  const { origin, step, counts } = lattice;
-  const [nx, ny] = counts;
-  const values = Float64Array.from({ length: nodeCount(lattice) }, (_, node) => {
-    const place = [node % nx, Math.floor(node / nx) % ny, Math.floor(node / (nx * ny))];
-    const [x, y, z] = place.map((n, axis) => origin[axis]! + n * step);
-    return field.value(x!, y!, z!);
-  });
-  const steps = meshing(field, lattice, values);
-  for (;;) {
-    const { done, value } = steps.next();
-    if (done) return value;
-  }
-}
 
 const onGpu = (node: FieldNode, bricks: Bricks, seed: number | null = null): Promise<FieldMesh> =>
   withDevice(async (device) => {
