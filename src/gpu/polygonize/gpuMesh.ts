@@ -19,6 +19,8 @@ export interface GpuMesh {
   readonly indices: GPUBuffer;
   /** for drawIndexedIndirect; nothing is drawn of what did not fit */
   readonly draw: GPUBuffer;
+  /** what the buffers hold at most */
+  readonly room: Capacity;
   /** Whether there was not room enough: the mesh is empty then. */
   overflowed(): Promise<boolean>;
   /** How large it is, or would have to be. */
@@ -70,6 +72,7 @@ export function gpuMesh(
     colours: colours.buffer,
     indices: indices.buffer,
     draw: draw.buffer,
+    room: { vertices: Math.floor(positions.size / 16), triangles: Math.floor(indices.size / 12) },
     overflowed: async () => (await found()).overflowed,
     needed: found,
     async read() {

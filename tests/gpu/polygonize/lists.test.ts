@@ -114,9 +114,9 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
 }
 `;
 
-const onGpu = (bricks: readonly Brick[], at: readonly Point[]): Promise<Float32Array> =>
+const onGpu = (node: FieldNode, bricks: readonly Brick[], at: readonly Point[]): Promise<Float32Array> =>
   withDevice(async (device) => {
-    const program = programOf(TREE);
+    const program = programOf(node);
     const modules = { ...modulesOf(program.ingredients), test: ENTRY };
     const module = await compile(device, 'lists', link(modules, 'test'));
     const pipeline = await device.createComputePipelineAsync({ layout: 'auto', compute: { module } });
@@ -157,7 +157,7 @@ describeGpu('lists of a brick', () => {
       ...BODIES.map(([leaf]) => randomLeaf(lot, leaf)),
     ]);
     const at = lot.many(COUNT, () => lot.place().map(Math.fround) as unknown as Point);
-    const values = await onGpu(lists.map(brickOf), at);
+    const values = await onGpu(TREE, lists.map(brickOf), at);
     let decided = 0;
     at.forEach((p, i) => {
       const [value, gx, gy, gz, again, ...colour] = values.subarray(8 * i, 8 * i + 8);
@@ -178,6 +178,26 @@ describeGpu('lists of a brick', () => {
       });
     });
     expect(decided).toBeGreaterThan(COUNT / 2);
+  });
+});
+
+describeGpu('sums that were dropped', () => {
+  const cut: FieldNode = { type: 'intersection', form: 'hard', parts: [PLAIN, body(BONE, 2), PLAIN] };
+  const low = (leaf: number): Leaf => ({ leaf, dropped: 'low' });
+  const high = (leaf: number): Leaf => ({ leaf, dropped: 'high' });
+  const all = (leaf: number): Leaf => ({ leaf, terms: [0, 1, 2], far: null });
+
+  it('leave the value to the others, or are all that is left', async () => {
+    const at: Point = [1, 0.5, 0.25];
+    const lists = [
+      [high(0), all(1), high(2)],
+      [all(0), high(1), high(2)],
+      [low(0), all(1), all(2)],
+    ];
+    const values = await onGpu(cut, lists.map(brickOf), [at, at, at]);
+    expect(values[0]).toBeCloseTo(bindField(body(BONE, 2)).value(...at), 5);
+    expect(values[8]).toBeCloseTo(bindField(PLAIN).value(...at), 5);
+    expect(values[16]).toBe(Math.fround(-1e30));
   });
 });
 
