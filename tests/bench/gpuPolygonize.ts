@@ -9,7 +9,7 @@ import type { SkelsNode } from '../../src/field/node.ts';
 import { dispatch } from '../../src/gpu/dispatch.ts';
 import { Buffers } from '../../src/gpu/polygonize/buffers.ts';
 import { encodeField, uploadField } from '../../src/gpu/polygonize/encode.ts';
-import { packLists } from '../../src/gpu/polygonize/lists.ts';
+import { type PackedBricks, packBricks } from '../../src/gpu/polygonize/lists.ts';
 import { gpuPolygonizer } from '../../src/gpu/polygonize/polygonizer.ts';
 import { stagesOn } from '../../src/gpu/polygonize/stages.ts';
 import { programOf } from '../../src/gpu/program.ts';
@@ -37,11 +37,10 @@ export async function timePolygonizer(device: GPUDevice): Promise<void> {
   bindField(NODE);
   const culling = await least(1, async () => bricksOf(NODE, LATTICE, linearNear(NODE, NEGLECTED)));
   const bricks = culling.result;
-  const program = programOf(NODE);
-  const packing = await least(ROUNDS, async () => packLists(program, bricks.active));
+  const packing = await least(ROUNDS, async () => packBricks(NODE, bricks));
   const dense = await denseTime(device);
-  const nodes = await fieldTime(device, bricks);
-  const mesh = await meshTime(device, bricks);
+  const nodes = await fieldTime(device, packing.result);
+  const mesh = await meshTime(device, packing.result);
   console.log(`Polygonizer on the GPU, 64 segments, ${CELLS}³ cells, ${bricks.active.length} active bricks`);
   console.table([
     {
@@ -71,7 +70,7 @@ async function denseTime(device: GPUDevice): Promise<number> {
 }
 
 /** The values of all nodes of active bricks, once lists are on the device. */
-async function fieldTime(device: GPUDevice, bricks: Bricks): Promise<number> {
+async function fieldTime(device: GPUDevice, bricks: PackedBricks): Promise<number> {
   const program = programOf(NODE);
   const stages = await stagesOn(device)(program.ingredients);
   const buffers = new Buffers(device);
@@ -79,7 +78,7 @@ async function fieldTime(device: GPUDevice, bricks: Bricks): Promise<number> {
   const { ms } = await least(ROUNDS, async () => {
     const encoder = device.createCommandEncoder();
     const pass = encoder.beginComputePass();
-    encodeField(device, pass, stages, bound, bricks);
+    encodeField(device, pass, stages, bound, bricks.count);
     pass.end();
     device.queue.submit([encoder.finish()]);
     await device.queue.onSubmittedWorkDone();
@@ -88,8 +87,8 @@ async function fieldTime(device: GPUDevice, bricks: Bricks): Promise<number> {
   return ms;
 }
 
-/** All stages, the packing and sending of lists counted in. */
-async function meshTime(device: GPUDevice, bricks: Bricks) {
+/** All stages, the sending of lists counted in. */
+async function meshTime(device: GPUDevice, bricks: PackedBricks) {
   const polygonizer = gpuPolygonizer(device);
   const { ms } = await least(ROUNDS, async () => {
     const mesh = await polygonizer.polygonize(NODE, bricks);

@@ -2,12 +2,11 @@
  * The stages one after the other: nodes → share → classify → number → scan → plan → compact → vertices → emit. How many vertices and cells
  * there are only the device knows: it plans its own dispatches and the draw (Kravtsov §1.3.1 in five steps, but indexed).
  */
-import type { Bricks } from '../../field/bricks.ts';
 import type { Program } from '../program.ts';
 import { ITEM, totalsOf } from '../scan.ts';
 import { type Buffers, type Slice, USAGE } from './buffers.ts';
 import type { Capacity, Outputs } from './gpuMesh.ts';
-import { MOST_ALONG, packLists } from './lists.ts';
+import { MOST_ALONG, type PackedBricks } from './lists.ts';
 import { loopTable } from './loopTable.ts';
 import { LATTICE, STAGES, type StageName, type Stages } from './stages.ts';
 
@@ -22,26 +21,30 @@ const LOOPS = loopTable();
 const CELLS_A_VERTEX = 4 / 3;
 
 /** What the field stages read: uploaded, in work buffers. RangeError for more than every device binds. */
-export function uploadField(buffers: Buffers, program: Program, bricks: Bricks, room: Capacity): Bound {
-  const { lattice, active, grid } = bricks;
-  const along = lattice.counts.map((count) => (count - 1) / 4);
-  if (!along.every((count) => Number.isInteger(count) && count >= 1 && count <= MOST_ALONG))
+export function uploadField(
+  buffers: Buffers,
+  program: Program,
+  { lattice, count, grid, lists }: PackedBricks,
+  room: Capacity,
+): Bound {
+  const along = lattice.counts.map((nodes) => (nodes - 1) / 4);
+  if (!along.every((number) => Number.isInteger(number) && number >= 1 && number <= MOST_ALONG))
     throw new RangeError(`a lattice of ${lattice.counts.join(' × ')} nodes has no bricks of four cells`);
   const { origin, step } = lattice;
   const capacities = [room.vertices, 3 * room.triangles, cellsOf(room), 0];
-  const header = LATTICE.pack([{ origin, step, bricks: [...along, active.length], capacities }]);
+  const header = LATTICE.pack([{ origin, step, bricks: [...along, count], capacities }]);
   return {
     records: buffers.put('records', program.records, USAGE.storage),
-    lists: buffers.put('lists', packLists(program, active), USAGE.storage),
-    grid: buffers.put('grid', Int32Array.from(grid), USAGE.storage),
+    lists: buffers.put('lists', lists, USAGE.storage),
+    grid: buffers.put('grid', grid, USAGE.storage),
     lattice: buffers.put('lattice', header, USAGE.uniform),
-    values: buffers.get('values', 4 * NODES * rooms(bricks), USAGE.storage | USAGE.copySource),
+    values: buffers.get('values', 4 * NODES * roomsOf(count), USAGE.storage | USAGE.copySource),
   };
 }
 
 /** What lies between the stages. */
-export function meshBuffers(buffers: Buffers, bricks: Bricks, room: Capacity): Bound {
-  const count = rooms(bricks);
+export function meshBuffers(buffers: Buffers, bricks: number, room: Capacity): Bound {
+  const count = roomsOf(bricks);
   return {
     crossings: buffers.get('crossings', 4 * NODES * count, USAGE.storage),
     cells: buffers.get('cells', 8 * CELLS * count, USAGE.storage),
@@ -54,21 +57,22 @@ export function meshBuffers(buffers: Buffers, bricks: Bricks, room: Capacity): B
   };
 }
 
-const rooms = ({ active }: Bricks) => Math.max(1, active.length);
+/** There are no empty buffers. */
+const roomsOf = (bricks: number) => Math.max(1, bricks);
 const cellsOf = ({ vertices }: Capacity) => Math.ceil(CELLS_A_VERTEX * vertices);
 
-/** The values at all nodes of active bricks. */
+/** The values at all nodes of so many active bricks. */
 export function encodeField(
   device: GPUDevice,
   pass: GPUComputePassEncoder,
   stages: Stages,
   bound: Bound,
-  bricks: Bricks,
+  bricks: number,
 ) {
-  if (bricks.active.length === 0) return;
+  if (bricks === 0) return;
   for (const name of ['nodes', 'share'] as const) {
     bind(device, pass, stages, name, bound);
-    pass.dispatchWorkgroups(...groupsOf(bricks.active.length));
+    pass.dispatchWorkgroups(...groupsOf(bricks));
   }
 }
 
@@ -78,14 +82,14 @@ export function encodeMesh(
   pass: GPUComputePassEncoder,
   stages: Stages,
   bound: Bound & Outputs,
-  bricks: Bricks,
+  bricks: number,
 ) {
-  const groups = groupsOf(rooms(bricks));
+  const groups = groupsOf(roomsOf(bricks));
   const start = (name: StageName) => bind(device, pass, stages, name, bound);
   start('classify');
   pass.dispatchWorkgroups(...groups);
   start('number');
-  pass.dispatchWorkgroups(Math.ceil(rooms(bricks) / 64));
+  pass.dispatchWorkgroups(Math.ceil(roomsOf(bricks) / 64));
   stages.scan.encode(pass, bound.counts!, bound.totals!);
   start('plan');
   pass.dispatchWorkgroups(1);

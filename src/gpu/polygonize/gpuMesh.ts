@@ -59,9 +59,11 @@ export function outputs(buffers: Buffers, { vertices, triangles }: Capacity): Ou
 export function gpuMesh(
   { positions, normals, colours, indices, draw, state }: Outputs,
   read: (slices: readonly Slice[]) => ReturnType<typeof readBack>,
-  destroy: () => void,
+  giveBack: () => void,
 ): GpuMesh {
+  let isGone = false;
   const found = async () => {
+    if (isGone) throw new Error('the mesh was given back');
     const [bytes] = await read([state]);
     const [edges, , triangles, middles, overflow] = new Uint32Array(bytes!);
     return { vertices: edges! + middles!, triangles: triangles!, overflowed: overflow !== 0 };
@@ -89,7 +91,10 @@ export function gpuMesh(
         indices: new Uint32Array(bytes[3]!),
       };
     },
-    destroy,
+    destroy() {
+      if (!isGone) giveBack();
+      isGone = true;
+    },
   };
 }
 

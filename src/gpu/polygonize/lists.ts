@@ -3,8 +3,10 @@
  * entries begin, its error), then the entries: of every sum, in the order in which the program comes to them, which terms are
  * asked and what stands for the others; a run of dropped sums is one row. Read by shaders/polygonize/nearList.wgsl.
  */
-import type { Brick, DroppedLeaf, Far, NearLeaf } from '../../field/bricks.ts';
-import { type Program, TAKE } from '../program.ts';
+import type { Brick, Bricks, DroppedLeaf, Far, NearLeaf } from '../../field/bricks.ts';
+import type { Lattice } from '../../field/lattice.ts';
+import type { FieldNode } from '../../field/node.ts';
+import { type Program, programOf, TAKE } from '../program.ts';
 import { SUM } from '../structs.ts';
 
 /** What an entry says of its sums. */
@@ -14,6 +16,21 @@ export const ENTRY = { LISTED: 0, DROPPED_LOW: 1, DROPPED_HIGH: 2 } as const;
 export const MOST_ALONG = 1 << 10;
 
 const WORDS = 4;
+
+/** Bricks as plain data, which workers can hand over. */
+export interface PackedBricks {
+  readonly lattice: Lattice;
+  /** active ones */
+  readonly count: number;
+  readonly grid: Int32Array<ArrayBuffer>;
+  readonly lists: Uint32Array<ArrayBuffer>;
+}
+
+/** Bricks of that very tree. */
+export function packBricks(node: FieldNode, { lattice, active, grid }: Bricks): PackedBricks {
+  const lists = packLists(programOf(node), active);
+  return { lattice, count: active.length, grid: Int32Array.from(grid), lists };
+}
 
 /** RangeError for a brick whose near does not tell of every sum. */
 export function packLists(program: Program, bricks: readonly Brick[]): Uint32Array<ArrayBuffer> {

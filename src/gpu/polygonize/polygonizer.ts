@@ -9,6 +9,7 @@ import { type Program, programOf } from '../program.ts';
 import { Buffers, MOST_BYTES, readBack } from './buffers.ts';
 import { encodeField, encodeMesh, meshBuffers, uploadField } from './encode.ts';
 import { type Capacity, type GpuMesh, gpuMesh, outputs } from './gpuMesh.ts';
+import { type PackedBricks, packBricks } from './lists.ts';
 import { type Stages, stagesOn } from './stages.ts';
 
 export interface GpuPolygonizer {
@@ -16,9 +17,9 @@ export interface GpuPolygonizer {
    * Begins a mesh; resolves when the device has taken the work, not when it is done. FieldError for what has no field, RangeError for
    * what no device is promised to hold.
    */
-  polygonize(node: FieldNode, bricks: Bricks): Promise<GpuMesh>;
+  polygonize(node: FieldNode, bricks: Bricks | PackedBricks): Promise<GpuMesh>;
   /** A mesh that fits: asks the device, and begins again where it did not. */
-  whole(node: FieldNode, bricks: Bricks): Promise<GpuMesh>;
+  whole(node: FieldNode, bricks: Bricks | PackedBricks): Promise<GpuMesh>;
   /** Gives all buffers back, those of meshes that were not destroyed excepted. */
   destroy(): void;
 }
@@ -61,13 +62,14 @@ class Polygonizer implements GpuPolygonizer {
     });
   }
 
-  async polygonize(node: FieldNode, bricks: Bricks): Promise<GpuMesh> {
+  async polygonize(node: FieldNode, bricks: Bricks | PackedBricks): Promise<GpuMesh> {
     const program = programOf(node);
+    const packed = 'lists' in bricks ? bricks : packBricks(node, bricks);
     const stages = await this.#told(this.#stages(program.ingredients));
     if (this.#isGone) throw new Error('the polygonizer was given back');
     const own = this.#free.pop() ?? new Buffers(this.#device);
     try {
-      return await this.#taken(() => this.#begin(stages, program, bricks, own));
+      return await this.#taken(() => this.#begin(stages, program, packed, own));
     } catch (error) {
       // among them may be some that there was no memory for
       for (const buffers of [own, this.#work]) buffers.destroy();
@@ -75,9 +77,10 @@ class Polygonizer implements GpuPolygonizer {
     }
   }
 
-  async whole(node: FieldNode, bricks: Bricks): Promise<GpuMesh> {
+  async whole(node: FieldNode, bricks: Bricks | PackedBricks): Promise<GpuMesh> {
+    const packed = 'lists' in bricks ? bricks : packBricks(node, bricks);
     for (;;) {
-      const mesh = await this.polygonize(node, bricks);
+      const mesh = await this.polygonize(node, packed);
       if (!(await mesh.overflowed())) return mesh;
       this.#needed = await mesh.needed();
       mesh.destroy();
@@ -90,24 +93,24 @@ class Polygonizer implements GpuPolygonizer {
     this.#free.length = 0;
   }
 
-  #begin(stages: Stages, program: Program, bricks: Bricks, own: Buffers): GpuMesh {
+  #begin(stages: Stages, program: Program, bricks: PackedBricks, own: Buffers): GpuMesh {
     const room = this.#roomFor(bricks);
     const written = outputs(own, room);
     const field = uploadField(this.#work, program, bricks, room);
-    const bound = { ...field, ...meshBuffers(this.#work, bricks, room), ...written };
+    const bound = { ...field, ...meshBuffers(this.#work, bricks.count, room), ...written };
     const encoder = this.#device.createCommandEncoder({ label: 'polygonize' });
     const pass = encoder.beginComputePass({ label: 'polygonize' });
-    encodeField(this.#device, pass, stages, field, bricks);
-    encodeMesh(this.#device, pass, stages, bound, bricks);
+    encodeField(this.#device, pass, stages, field, bricks.count);
+    encodeMesh(this.#device, pass, stages, bound, bricks.count);
     pass.end();
     this.#device.queue.submit([encoder.finish()]);
     const read = (slices: Parameters<typeof readBack>[1]) => this.#told(readBack(this.#device, slices));
     return gpuMesh(written, read, () => this.#takeBack(own));
   }
 
-  #roomFor({ active }: Bricks): Capacity {
+  #roomFor({ count }: PackedBricks): Capacity {
     if (this.#first && !this.#needed) return this.#first;
-    const guess = Math.max(FEWEST, VERTICES_A_BRICK * active.length);
+    const guess = Math.max(FEWEST, VERTICES_A_BRICK * count);
     const { vertices, triangles } = this.#needed ?? { vertices: 0, triangles: 0 };
     return {
       vertices: Math.max(Math.min(guess, MOST.vertices), vertices),
@@ -117,7 +120,7 @@ class Polygonizer implements GpuPolygonizer {
 
   #takeBack(own: Buffers): void {
     if (this.#isGone) own.destroy();
-    else if (!this.#free.includes(own)) this.#free.push(own);
+    else this.#free.push(own);
   }
 
   /** What `work` begins, once the device has taken it. */

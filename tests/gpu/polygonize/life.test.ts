@@ -3,6 +3,7 @@ import { afterAll, expect, it } from 'vitest';
 import { bindField } from '../../../src/field/bind.ts';
 import { readBack } from '../../../src/gpu/polygonize/buffers.ts';
 import type { GpuMesh } from '../../../src/gpu/polygonize/gpuMesh.ts';
+import { packBricks } from '../../../src/gpu/polygonize/lists.ts';
 import { gpuPolygonizer } from '../../../src/gpu/polygonize/polygonizer.ts';
 import { sphere } from '../../field/trees.ts';
 import { brickLattice, bricksOf } from '../../fixtures/bricks.ts';
@@ -90,8 +91,10 @@ describeGpu('a mesh on the GPU', () => {
       expect(await first.read()).toEqual(kept);
       expect(counts.pipelines).toBe(0);
       beside.destroy();
+      await expect(beside.read()).rejects.toThrow('given back');
       counts.buffers = 0;
-      const again = await polygonizer.polygonize(BALL, BRICKS);
+      // as a worker would hand them over
+      const again = await polygonizer.polygonize(BALL, structuredClone(packBricks(BALL, BRICKS)));
       expect(counts.buffers).toBe(0);
       expect(await again.read()).toEqual(small);
       expect(await first.read()).toEqual(kept);

@@ -7,6 +7,7 @@ import type { FieldNode } from '../../../src/field/node.ts';
 import { Buffers, readBack } from '../../../src/gpu/polygonize/buffers.ts';
 import { encodeField, encodeMesh, meshBuffers, uploadField } from '../../../src/gpu/polygonize/encode.ts';
 import { gpuMesh, outputs } from '../../../src/gpu/polygonize/gpuMesh.ts';
+import { packBricks } from '../../../src/gpu/polygonize/lists.ts';
 import { stagesOn } from '../../../src/gpu/polygonize/stages.ts';
 import { programOf } from '../../../src/gpu/program.ts';
 import { topology } from '../../../src/mesh/check.ts';
@@ -54,11 +55,18 @@ async function meshes(device: GPUDevice, all: readonly Scene[]): Promise<readonl
   const found: FieldMesh[] = [];
   for (const { node, bricks } of all) {
     const written = outputs(own, ROOM);
-    const field = uploadField(work, programOf(node), bricks, ROOM);
+    const packed = packBricks(node, bricks);
+    const field = uploadField(work, programOf(node), packed, ROOM);
     const encoder = device.createCommandEncoder();
     const pass = encoder.beginComputePass();
-    encodeField(device, pass, stages, field, bricks);
-    encodeMesh(device, pass, stages, { ...field, ...meshBuffers(work, bricks, ROOM), ...written }, bricks);
+    encodeField(device, pass, stages, field, packed.count);
+    encodeMesh(
+      device,
+      pass,
+      stages,
+      { ...field, ...meshBuffers(work, packed.count, ROOM), ...written },
+      packed.count,
+    );
     pass.end();
     device.queue.submit([encoder.finish()]);
     found.push(
