@@ -1,4 +1,5 @@
 #import polygonize/lattice
+#import polygonize/loops
 #import polygonize/state
 
 // What is crossed, one after the other: vertices and cells get their numbers in the mesh, and lists that later stages walk. A group is a brick.
@@ -8,7 +9,7 @@
 @group(0) @binding(2) var<storage, read> cells: array<vec2u>;
 // as number.wgsl left them; the first vertex becomes its number in the mesh
 @group(0) @binding(3) var<storage, read_write> crossings: array<u32>;
-// of each vertex on an edge: 384 · brick + 3 · node + axis
+// of each vertex: 384 · brick + 3 · node + axis of its edge, or 375 where it is in the middle of a loop
 @group(0) @binding(4) var<storage, read_write> vertex_edges: array<u32>;
 // of each crossed cell: 64 · brick + cell, row of the loop table, first triangle, first vertex in the middle
 @group(0) @binding(5) var<storage, read_write> crossed_cells: array<vec4u>;
@@ -48,4 +49,7 @@ fn list_cell(number: u32, first: vec4u) {
   let triangle = first.z + (cell.y & 65535u);
   let middle = state.counts.x + first.w + (cell.y >> 16u);
   crossed_cells[first.y + (cell.x >> 16u)] = vec4u(number, row, triangle, middle);
+  for (var i = 0u; i < loop_middles(loop_table[row]); i++) {
+    vertex_edges[middle + i] = 384u * (number / 64u) + 375u;
+  }
 }

@@ -1,7 +1,7 @@
 #import polygonize/lattice
 #import polygonize/near
 
-// Where the surface crosses an edge of the lattice: Newton's steps along the edge from the secant of its ends, the gradient being
+// Where the surface crosses a line, mostly an edge of the lattice: Newton's steps along it from the secant of its ends, the gradient being
 // nearly free; kept between places of opposite signs, which are halved where Newton's leave them or dawdle. Twin of
 // src/field/surfacePoint.ts, which takes values first, as they are what is cheap there.
 
@@ -14,6 +14,19 @@ const CLOSE = 0.02;
 // parts of the edge that are kept from its ends: edges that meet at a node must not put their vertices into one place
 const ENDS = 1e-3;
 
+// in place of the values at the ends of what is no edge
+const UNKNOWN = 1e30;
+
+// From `start` on, within `along`; positive at one end.
+struct Search {
+  start: vec3f,
+  along: vec3f,
+  // values
+  ends: vec2f,
+  // where the field has no slope, or is cut off
+  normal: vec3f,
+}
+
 struct Crossing {
   position: vec3f,
   // unit, out of where the field is positive
@@ -21,25 +34,29 @@ struct Crossing {
   colour: vec3f,
 }
 
-// between the nodes a and b, with these values; `list`: where the brick's entries begin
-fn crossing_between(list: u32, a: vec3u, b: vec3u, ends: vec2f) -> Crossing {
-  let start = node_position(a);
-  let along = lattice.step * vec3f(b - a);
+// inside of the body at both ends: the lattice is left
+fn is_cut(ends: vec2f) -> bool {
+  return (ends.x > 0.0) == (ends.y > 0.0);
+}
+
+// `list`: where the brick's entries begin
+fn surface_crossing(list: u32, search: Search) -> Crossing {
+  let along = search.along;
+  let ends = search.ends;
   let least = min(abs(ends.x), abs(ends.y));
-  let is_cut = (ends.x > 0.0) == (ends.y > 0.0);
   var range = vec2f(0.0, 1.0);
-  var t = select(kept(ends.x / (ends.x - ends.y)), 0.5, is_cut);
-  var normal = vec3f(b - a) * select(1.0, -1.0, ends.y > 0.0);
-  if (is_cut) {
-    normal = normalize(vec3f(node_side(a) + node_side(b)));
-  }
-  var is_found = is_cut;
+  var t = select(kept(ends.x / (ends.x - ends.y)), 0.5, is_cut(ends));
+  var normal = search.normal;
+  var is_found = is_cut(ends);
   // the last round is for the colour: one call, for compilers put the whole field in the place of each
   for (var round = 0u; round <= STEPS; round++) {
     let is_last = is_found || round == STEPS;
-    let field = near_field(list, start + t * along, is_last);
+    if (is_last && !is_found && ends.x == UNKNOWN) {
+      t = 0.5;
+    }
+    let field = near_field(list, search.start + t * along, is_last);
     if (is_last) {
-      return Crossing(start + t * along, normal, field.yzw);
+      return Crossing(search.start + t * along, normal, field.yzw);
     }
     normal = outward(field.yzw, normal);
     range = select(vec2f(range.x, t), vec2f(t, range.y), (field.x > 0.0) == (ends.x > 0.0));
@@ -50,7 +67,7 @@ fn crossing_between(list: u32, a: vec3u, b: vec3u, ends: vec2f) -> Crossing {
     let is_within = is_found || (guess > range.x && guess < range.y && is_next);
     t = kept(select(0.5 * (range.x + range.y), guess, is_within));
   }
-  return Crossing(start + t * along, normal, vec3f(0.0));
+  return Crossing(search.start + t * along, normal, vec3f(0.0));
 }
 
 fn kept(t: f32) -> f32 {

@@ -42,3 +42,8 @@ fn unit_along(axis: u32) -> vec3u {
 fn brick_of(group: vec3u, groups: vec3u) -> u32 {
   return group.x + groups.x * group.y;
 }
+
+// of dispatches of 64 threads a group, which go on in y too
+fn item_of(group: vec3u, groups: vec3u, thread: u32) -> u32 {
+  return 64u * (group.x + groups.x * group.y) + thread;
+}

@@ -8,8 +8,3 @@ struct State {
 }
 
 @group(0) @binding(10) var<uniform> state: State;
-
-// threads of dispatches that go on in y
-fn item_of(group: vec3u, groups: vec3u, thread: u32) -> u32 {
-  return 64u * (group.x + groups.x * group.y) + thread;
-}

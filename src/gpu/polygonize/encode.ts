@@ -1,6 +1,7 @@
 /**
- * The stages one after the other: nodes → share → classify → number → scan → plan → compact → vertices → emit. How many vertices and cells
- * there are only the device knows: it plans its own dispatches and the draw (Kravtsov §1.3.1 in five steps, but indexed).
+ * The stages one after the other: nodes → share → classify → number → scan → plan → compact → vertices on edges → emit → vertices in
+ * the middle of loops. How many vertices and cells there are only the device knows: it plans its own dispatches and the draw
+ * (Kravtsov §1.3.1 in five steps, but indexed).
  */
 import type { Program } from '../program.ts';
 import { ITEM, totalsOf } from '../scan.ts';
@@ -51,7 +52,9 @@ export function meshBuffers(buffers: Buffers, bricks: number, room: Capacity): B
     counts: buffers.get('counts', ITEM * count, USAGE.storage),
     totals: buffers.get('totals', ITEM * totalsOf(count), USAGE.storage),
     loops: buffers.put('loops', LOOPS, USAGE.uniform),
-    dispatches: buffers.get('dispatches', 24, USAGE.storage | USAGE.indirect),
+    dispatches: buffers.get('dispatches', 36, USAGE.storage | USAGE.indirect),
+    edgeSpan: buffers.get('edgeSpan', 16, USAGE.storage | USAGE.uniform),
+    middleSpan: buffers.get('middleSpan', 16, USAGE.storage | USAGE.uniform),
     vertexEdges: buffers.get('vertexEdges', 4 * room.vertices, USAGE.storage),
     crossedCells: buffers.get('crossedCells', 16 * cellsOf(room), USAGE.storage),
   };
@@ -95,10 +98,12 @@ export function encodeMesh(
   pass.dispatchWorkgroups(1);
   start('compact');
   pass.dispatchWorkgroups(...groups);
-  start('vertices');
+  bind(device, pass, stages, 'vertices', { ...bound, span: bound.edgeSpan! });
   pass.dispatchWorkgroupsIndirect(bound.dispatches!.buffer, 0);
   start('emit');
   pass.dispatchWorkgroupsIndirect(bound.dispatches!.buffer, 12);
+  bind(device, pass, stages, 'vertices', { ...bound, span: bound.middleSpan! });
+  pass.dispatchWorkgroupsIndirect(bound.dispatches!.buffer, 24);
 }
 
 function bind(
