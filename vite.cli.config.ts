@@ -49,7 +49,9 @@ const bench: UserConfig = {
     outDir: 'dist/bench',
     target: 'node20',
     rolldownOptions: {
-      input: ['segment', 'polygon', 'scene', 'gpu'].map((what) => `tests/bench/${what}.time.ts`),
+      input: ['segment', 'polygon', 'scene', 'polygonize', 'gpu'].map(
+        (what) => `tests/bench/${what}.time.ts`,
+      ),
     },
   },
 };

@@ -65,6 +65,9 @@ test('on the graphics device it is the same body', async ({ page }) => {
   await open(page, `/field.html${COARSE}`);
   const onCpu = await body(page);
   expect(onCpu.difference).toBeNull();
+  await expect(page.locator('.status')).toContainText(
+    /CPU, worker · \d+ × \d+ × \d+ cells · \d+( k)? evaluations · \d+ ms/,
+  );
   await page.getByRole('radio', { name: 'GPU' }).click();
   await expect.poll(async () => (await body(page)).id).toBeGreaterThan(onCpu.id);
   const onGpu = await body(page);

@@ -10,6 +10,7 @@ import {
   type Style,
 } from '../../src/scene/index.ts';
 import type { View } from '../../src/stroke/stroke.ts';
+import { openDeviceStage } from './device.ts';
 import { type Form, makeMesh } from './meshes.ts';
 
 export interface Thing {
@@ -100,6 +101,7 @@ function png(width: number, height: number, draw: (context: CanvasRenderingConte
 }
 
 window.createScene = createScene;
+window.openDeviceStage = openDeviceStage;
 
 window.drawPicture = async (picture) => {
   const { scene, canvas } = await setUp(picture);

@@ -5,6 +5,7 @@
 import { kernelNamed } from '../kernel/index.ts';
 import type { Kernel, KernelParams } from '../kernel/kernel.ts';
 import { bindShape } from '../shape/index.ts';
+import { checkedParams } from '../skeleton/binding.ts';
 import { bindSkel } from '../skeleton/index.ts';
 import { at } from '../skeleton/place.ts';
 import { FieldError } from '../skeleton/skeleton.ts';
@@ -95,7 +96,12 @@ function bindSkels(node: SkelsNode): LeafField {
   const terms = node.skels.flatMap((term, i) =>
     at(`skels[${i}]`, () => bindTerm(term, kernel, { ...node, colour })),
   );
-  return skelSum(terms, node.threshold);
+  return skelSum(terms, node.threshold, widthOf(kernel, node.params));
+}
+
+/** mm; null for kernels that have none. */
+function widthOf(kernel: Kernel, params: KernelParams): number | null {
+  return kernel.homogeneity === 0 ? kernel.unit(checkedParams(kernel, params), 1) : null;
 }
 
 function bindTerm(

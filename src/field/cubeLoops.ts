@@ -54,6 +54,11 @@ function joinedFaces(mask: number, values: ArrayLike<number>): number {
   return joined;
 }
 
+/** Whether a cube with these corners inside has a face of which all four edges are crossed. */
+export const AMBIGUOUS = Uint8Array.from({ length: 256 }, (_, mask) =>
+  FACES.some((face) => isOpen(face, mask)) ? 1 : 0,
+);
+
 export class CubeLoops {
   /** loops so far, one after the other: edges in order, counter-clockwise seen from outside of the solid */
   readonly edges = new Uint8Array(MOST_CROSSINGS);

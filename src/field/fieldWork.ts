@@ -1,6 +1,7 @@
 /** What a page and the worker that makes its bodies say to each other. Plain data; the large arrays are handed over. */
+
+import type { FieldMesh } from './brickMesh.ts';
 import type { Lattice } from './lattice.ts';
-import type { FieldMesh } from './latticeMesh.ts';
 import type { FieldNode } from './node.ts';
 
 /** A body that is wanted; one that was wanted before is given up. */

@@ -8,6 +8,8 @@ export const hardUnion: Operation = {
     out[1] = a >= b ? 1 : 0;
     out[2] = a >= b ? 0 : 1;
   },
+  stretch: 1,
+  isExtreme: true,
   range: monotone(Math.max),
   reach: (level) => -level,
 };

@@ -22,8 +22,8 @@ interface Valued {
 /** of each node; float64 from the CPU, float32 from the GPU */
 export type LatticeValues = Float64Array | Float32Array;
 
-/** 32 MiB of values in float64; finer ones are made coarser until they fit */
-export const MOST_NODES = 1 << 22;
+/** cells of a brick along each side: lattices have whole ones */
+export const BRICK = 4;
 export const RESOLUTION = { min: 4, max: 512 } as const;
 
 /** Air around the box in steps. No whole number: bodies are symmetric about their boxes, and would pass exactly through nodes. */
@@ -35,9 +35,8 @@ export function latticeAround({ min, max }: Box, resolution: number): Lattice {
   if (!sizes.every((size) => size >= 0 && size < Infinity) || !min.every(Number.isFinite))
     throw new FieldError('the body is not bounded by finite numbers');
   // a box of one point holds no surface, but has a lattice all the same
-  let step = Math.max(...sizes) / cellsOf(resolution) || 1;
-  const count = (size: number) => Math.ceil(size / step + 2 * AIR) + 1;
-  while (count(sizes[0]) * count(sizes[1]) * count(sizes[2]) > MOST_NODES) step *= 1.05;
+  const step = Math.max(...sizes) / cellsOf(resolution) || 1;
+  const count = (size: number) => wholeBricks(size / step + 2 * AIR) + 1;
   return {
     origin: [min[0] - AIR * step, min[1] - AIR * step, min[2] - AIR * step],
     step,
@@ -47,15 +46,16 @@ export function latticeAround({ min, max }: Box, resolution: number): Lattice {
 
 /**
  * Over the cube of `half` mm to all sides of the origin, for bodies that go on beyond it: they are cut off half a cell within
- * a lattice, which is where the cube ends. At least `resolution` cells; an even number, so that no node is in the middle.
+ * a lattice, which is where the cube ends.
  */
 export function latticeOver(half: number, resolution: number): Lattice {
-  let cells = 2 * Math.ceil(cellsOf(resolution) / 2);
-  while ((cells + 2) * (cells + 2) * (cells + 2) > MOST_NODES) cells -= 2;
-  const step = (2 * half) / cells;
+  const cells = wholeBricks(cellsOf(resolution) + 1);
+  const step = (2 * half) / (cells - 1);
   const first = -half - step / 2;
-  return { origin: [first, first, first], step, counts: [cells + 2, cells + 2, cells + 2] };
+  return { origin: [first, first, first], step, counts: [cells + 1, cells + 1, cells + 1] };
 }
+
+const wholeBricks = (cells: number): number => BRICK * Math.ceil(cells / BRICK);
 
 function cellsOf(resolution: number): number {
   return Math.min(Math.max(Math.round(resolution), RESOLUTION.min), RESOLUTION.max) || RESOLUTION.min;

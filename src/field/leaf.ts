@@ -3,12 +3,16 @@ import type { ShapeField } from '../shape/shape.ts';
 import { type Box, type FieldValue, SPREAD } from '../skeleton/skeleton.ts';
 import { type Affine, IDENTITY, inverted, mappedBox, stretches } from './affine.ts';
 import { AROUND, closed, roundedHalf } from './closed.ts';
+import { LeafFrame } from './leafFrame.ts';
+import type { Near, Tally } from './near.ts';
+import { nearShape } from './nearShape.ts';
 import type { Colour } from './node.ts';
 import type { LeafField, TreeField } from './treeField.ts';
 
 export function coloured(field: ShapeField, colour: Colour): LeafField {
   const spread = new Float64Array(SPREAD);
-  return {
+  const facets = field.facets ?? null;
+  const leaf: LeafField = {
     value: (x, y, z) => field.value(x, y, z),
     evaluate(x, y, z, out) {
       field.evaluate(x, y, z, out);
@@ -29,7 +33,10 @@ export function coloured(field: ShapeField, colour: Colour): LeafField {
       out[2] = colour[2];
       return field.value(x, y, z);
     },
+    near: (tally) => nearShape(leaf, colour, facets, null, tally),
+    nearIn: (frame, moved, tally) => nearShape(moved, colour, facets, frame, tally),
   };
+  return leaf;
 }
 
 /** `field` under `matrix`; `isDistance`: its value grows with the least stretch. FieldError for a matrix that flattens. */
@@ -39,7 +46,7 @@ export function moved(field: LeafField, matrix: Affine, isDistance: boolean): Tr
   return unmoved ? field : new Moved(field, matrix, back, isDistance ? stretches(matrix).least : 1);
 }
 
-/** of coordinates, and of values */
+/** of values */
 const ROUNDING = 4e-15;
 
 const widened = (end: number, way: 1 | -1) => end + way * ROUNDING * Math.abs(end);
@@ -47,95 +54,58 @@ const widened = (end: number, way: 1 | -1) => end + way * ROUNDING * Math.abs(en
 class Moved implements TreeField {
   readonly #field: LeafField;
   readonly #matrix: Affine;
-  readonly #back: Affine;
-  readonly #scale: number;
-  /** of lengths, the largest */
-  readonly #stretch: number;
-  readonly #size: number;
+  readonly #frame: LeafFrame;
   readonly #spread = new Float64Array(SPREAD);
   readonly box: Box | null;
 
   constructor(field: LeafField, matrix: Affine, back: Affine, scale: number) {
     this.#field = field;
     this.#matrix = matrix;
-    this.#back = back;
-    this.#scale = scale;
-    this.#stretch = stretches(back).most;
-    this.#size = Math.abs(back[3]) + Math.abs(back[7]) + Math.abs(back[11]);
+    this.#frame = new LeafFrame(back, scale);
     this.box = this.boxAbove(0);
   }
 
   value(x: number, y: number, z: number): number {
-    const m = this.#back;
-    return (
-      this.#scale *
-      this.#field.value(
-        m[0] * x + m[1] * y + m[2] * z + m[3],
-        m[4] * x + m[5] * y + m[6] * z + m[7],
-        m[8] * x + m[9] * y + m[10] * z + m[11],
-      )
-    );
+    const frame = this.#frame;
+    frame.enter(x, y, z);
+    return frame.scale * this.#field.value(frame.x, frame.y, frame.z);
   }
 
   evaluate(x: number, y: number, z: number, out: FieldValue): void {
-    const m = this.#back;
-    this.#field.evaluate(
-      m[0] * x + m[1] * y + m[2] * z + m[3],
-      m[4] * x + m[5] * y + m[6] * z + m[7],
-      m[8] * x + m[9] * y + m[10] * z + m[11],
-      out,
-    );
-    const k = this.#scale;
-    const gx = k * out[1]!;
-    const gy = k * out[2]!;
-    const gz = k * out[3]!;
-    out[0]! *= k;
-    out[1] = m[0] * gx + m[4] * gy + m[8] * gz;
-    out[2] = m[1] * gx + m[5] * gy + m[9] * gz;
-    out[3] = m[2] * gx + m[6] * gy + m[10] * gz;
+    const frame = this.#frame;
+    frame.enter(x, y, z);
+    this.#field.evaluate(frame.x, frame.y, frame.z, out);
+    frame.leave(out);
   }
 
   colour(x: number, y: number, z: number, out: Float64Array): number {
-    const m = this.#back;
-    return (
-      this.#scale *
-      this.#field.colour(
-        m[0] * x + m[1] * y + m[2] * z + m[3],
-        m[4] * x + m[5] * y + m[6] * z + m[7],
-        m[8] * x + m[9] * y + m[10] * z + m[11],
-        out,
-      )
-    );
+    const frame = this.#frame;
+    frame.enter(x, y, z);
+    return frame.scale * this.#field.colour(frame.x, frame.y, frame.z, out);
+  }
+
+  near(tally: Tally): Near {
+    return this.#field.nearIn(this.#frame, this, tally);
   }
 
   range(x: number, y: number, z: number, half: number, out: Float64Array): void {
-    const m = this.#back;
+    const frame = this.#frame;
     const spread = this.#spread;
     // a mapped point is off by what rounding leaves of its coordinates
     const radius = AROUND * roundedHalf(x, y, z, half);
-    const off = ROUNDING * (this.#stretch * (Math.abs(x) + Math.abs(y) + Math.abs(z) + radius) + this.#size);
-    this.#field.spread(
-      m[0] * x + m[1] * y + m[2] * z + m[3],
-      m[4] * x + m[5] * y + m[6] * z + m[7],
-      m[8] * x + m[9] * y + m[10] * z + m[11],
-      radius * this.#stretch + off,
-      spread,
-    );
-    const gx = spread[1]!;
-    const gy = spread[2]!;
-    const gz = spread[3]!;
+    const off = frame.off(x, y, z, radius);
+    frame.enter(x, y, z);
+    this.#field.spread(frame.x, frame.y, frame.z, frame.reach(radius) + off, spread);
     // those of the centre and of the points
-    spread[4] = spread[4]! + 2 * off * (Math.abs(gx) + Math.abs(gy) + Math.abs(gz));
-    spread[1] = m[0] * gx + m[4] * gy + m[8] * gz;
-    spread[2] = m[1] * gx + m[5] * gy + m[9] * gz;
-    spread[3] = m[2] * gx + m[6] * gy + m[10] * gz;
+    spread[4] = spread[4]! + 2 * off * (Math.abs(spread[1]!) + Math.abs(spread[2]!) + Math.abs(spread[3]!));
+    frame.turn(spread);
     closed(spread, roundedHalf(x, y, z, half), out);
-    out[0] = widened(this.#scale * out[0]!, -1);
-    out[1] = widened(this.#scale * out[1]!, 1);
+    out[0] = widened(frame.scale * out[0]!, -1);
+    out[1] = widened(frame.scale * out[1]!, 1);
   }
 
   boxAbove(level: number): Box | null {
-    const box = this.#field.boxAbove(level / this.#scale);
+    const box = this.#field.boxAbove(level / this.#frame.scale);
     return box && mappedBox(this.#matrix, box);
   }
 }

@@ -10,6 +10,8 @@ export function morph(t: number): Operation {
   const value = (a: number, b: number) => (1 - t) * a + t * b;
   return {
     value,
+    stretch: 1,
+    isExtreme: false,
     range: monotone(value),
     evaluate(a, b, out) {
       out[0] = (1 - t) * a + t * b;

@@ -1,65 +1,157 @@
 /**
  * Fields under an operation as they are within a cube: each part as it is there. Of a hard union (and of what is one inside out) only
- * those are left that may be the largest somewhere in the cube, and what parts neglect stays what it is; other
- * operations stretch errors, so that their parts may leave out what is exactly nothing only.
+ * those are left that may be the largest somewhere in the cube. What parts miss is stretched by the operations that it passes
+ * through, so that their shares of the budget are smaller.
  */
-import type { Kind } from './combined.ts';
+import type { FieldValue } from '../skeleton/skeleton.ts';
+import type { BrickNodes } from './brickNodes.ts';
+import { colourOf, combinedValue, evaluateOf, type Kind, Scratch, signsOf } from './combined.ts';
 import { hardUnion } from './hardUnion.ts';
-import type { Near } from './near.ts';
+import { CORNERS } from './hermite.ts';
+import type { Near, NearLeaf, Way } from './near.ts';
+import { type Colour, commonColour } from './node.ts';
 import type { Operation } from './operation.ts';
+
+/** A part that was left out. */
+interface Dropped {
+  readonly part: Near;
+  readonly way: Way;
+}
 
 export class NearSet implements Near {
   readonly low: number;
   readonly high: number;
   readonly error: number;
   readonly asked: number;
-  readonly #first: Near;
-  readonly #rest: readonly Near[];
+  readonly branches: number;
+  readonly plain: Colour | null;
+  readonly #parts: readonly Near[];
+  readonly #dropped: readonly Dropped[];
   readonly #operation: Operation;
   readonly #kind: Kind;
+  readonly #scratch = new Scratch();
 
-  constructor(parts: readonly Near[], operation: Operation, kind: Kind) {
-    const [first, ...rest] = parts;
-    this.#first = first!;
-    this.#rest = rest;
+  constructor(parts: readonly Near[], dropped: readonly Dropped[], operation: Operation, kind: Kind) {
+    this.#parts = parts;
+    this.#dropped = dropped;
     this.#operation = operation;
     this.#kind = kind;
-    this.error = parts.reduce((most, { error }) => Math.max(most, error), 0);
+    this.error = this.#together(parts.map(({ error }) => error));
     this.asked = parts.reduce((sum, { asked }) => sum + asked, 0);
+    // blends and morphs have edges of their own elsewhere than their parts, if at all
+    this.branches = operation.isExtreme ? parts.reduce((sum, { branches }) => sum + branches, 0) : 1;
+    this.plain = commonColour(parts.map(({ plain }) => plain));
     const range = this.#range();
     this.low = range[0]!;
     this.high = range[1]!;
   }
 
   value(x: number, y: number, z: number): number {
-    const [outer, sign] = signsOf(this.#kind);
-    let value = this.#first.value(x, y, z);
-    for (const part of this.#rest) {
-      value = outer * this.#operation.value(outer * value, sign * part.value(x, y, z));
-    }
-    return value;
+    return combinedValue(this.#parts, this.#operation, this.#kind, x, y, z);
   }
 
-  within(x: number, y: number, z: number, half: number, share: number): Near {
-    const isHard = this.#operation === hardUnion;
-    const parts = [this.#first, ...this.#rest].map((part) => part.within(x, y, z, half, isHard ? share : 0));
-    const kept = isHard ? largestOf(parts, this.#kind) : parts;
-    return new NearSet(kept, this.#operation, this.#kind);
+  evaluate(x: number, y: number, z: number, out: FieldValue): void {
+    evaluateOf(this.#parts, this.#operation, this.#kind, x, y, z, out, this.#scratch);
+  }
+
+  colour(x: number, y: number, z: number, out: Float64Array): number {
+    return colourOf(this.#parts, this.#operation, this.#kind, x, y, z, out, this.#scratch);
+  }
+
+  branch(x: number, y: number, z: number): number {
+    if (this.branches === 1) return 0;
+    const [outer, sign] = signsOf(this.#kind);
+    let [best, most, first] = [0, -Infinity, 0];
+    let before = 0;
+    this.#parts.forEach((part, i) => {
+      const value = (i === 0 ? outer : sign) * part.value(x, y, z);
+      if (value > most) [best, most, first] = [i, value, before];
+      before += part.branches;
+    });
+    return first + this.#parts[best]!.branch(x, y, z);
+  }
+
+  onBranch(branch: number, x: number, y: number, z: number, out: FieldValue): void {
+    if (this.branches === 1) {
+      this.evaluate(x, y, z, out);
+      return;
+    }
+    let left = branch;
+    for (const part of this.#parts) {
+      if (left < part.branches) {
+        part.onBranch(left, x, y, z, out);
+        return;
+      }
+      left -= part.branches;
+    }
+  }
+
+  within(x: number, y: number, z: number, half: number, missed: number): Near {
+    const parts = this.#parts.map((part, i) => part.within(x, y, z, half, missed * this.#shareOf(i)));
+    if (this.#operation !== hardUnion) {
+      return new NearSet(parts, this.#dropped, this.#operation, this.#kind);
+    }
+    const { kept, dropped } = largestOf(parts, this.#kind);
+    return new NearSet(kept, [...this.#dropped, ...dropped], this.#operation, this.#kind);
+  }
+
+  corners(nodes: BrickNodes, out: Float64Array): number {
+    const [outer, sign] = signsOf(this.#kind);
+    const other = new Float64Array(CORNERS);
+    const wasRough = nodes.roughly;
+    // of blends and morphs the sign is not that of a part
+    nodes.roughly = wasRough && this.#operation.isExtreme;
+    const slacks = this.#parts.map((part, i) => {
+      if (i === 0) return part.corners(nodes, out);
+      const slack = part.corners(nodes, other);
+      for (let c = 0; c < CORNERS; c++) {
+        out[c] = outer * this.#operation.value(outer * out[c]!, sign * other[c]!);
+      }
+      return slack;
+    });
+    nodes.roughly = wasRough;
+    return this.#together(slacks);
+  }
+
+  eachLeaf(visit: (leaf: NearLeaf) => void): void {
+    for (const part of this.#parts) part.eachLeaf(visit);
+    for (const { part, way } of this.#dropped) part.eachDropped(way, visit);
+  }
+
+  eachDropped(way: Way, visit: (leaf: NearLeaf) => void): void {
+    const other = way === 'low' ? 'high' : 'low';
+    this.#parts.forEach((part, i) => {
+      part.eachDropped(i > 0 && this.#kind === 'subtraction' ? other : way, visit);
+    });
+    for (const dropped of this.#dropped) dropped.part.eachDropped(dropped.way, visit);
+  }
+
+  /** What errors of the parts come to. */
+  #together(errors: readonly number[]): number {
+    if (this.#operation === hardUnion) return Math.max(...errors);
+    return errors.reduce((sum, error, i) => sum + (error > 0 ? error * this.#stretched(i) : 0), 0);
+  }
+
+  #shareOf(i: number): number {
+    return this.#operation === hardUnion ? 1 : 1 / (this.#parts.length * this.#stretched(i));
+  }
+
+  /** By the operations that part i passes through. */
+  #stretched(i: number): number {
+    const passed = i === 0 ? this.#parts.length - 1 : this.#parts.length - i;
+    let product = 1;
+    for (let k = 0; k < passed && product < 1e30; k++) product *= this.#operation.stretch;
+    return product;
   }
 
   #range(): Float64Array {
     const [outer, sign] = signsOf(this.#kind);
-    const range = turned(this.#first, outer);
-    for (const part of this.#rest) this.#operation.range(range, turned(part, sign), range);
+    const [first, ...rest] = this.#parts;
+    const range = turned(first!, outer);
+    for (const part of rest) this.#operation.range(range, turned(part, sign), range);
     return turned({ low: range[0]!, high: range[1]! }, outer);
   }
 }
-
-/** Of what comes first, and of what comes after: −(±a ∪ ±b). */
-const signsOf = (kind: Kind): readonly [outer: number, sign: number] => [
-  kind === 'union' ? 1 : -1,
-  kind === 'intersection' ? -1 : 1,
-];
 
 type Range = Pick<Near, 'low' | 'high'>;
 
@@ -68,10 +160,15 @@ function turned({ low, high }: Range, sign: number): Float64Array {
 }
 
 /** The parts that may be the largest, their signs counted. The first of a subtraction stays: it is the only one of its sign. */
-function largestOf(parts: readonly Near[], kind: Kind): readonly Near[] {
+function largestOf(parts: readonly Near[], kind: Kind) {
   const [outer, sign] = signsOf(kind);
   const ranges = parts.map((part, i) => turned(part, i === 0 ? outer : sign));
   const least = ranges.reduce((most, [low]) => Math.max(most, low!), -Infinity);
-  const kept = parts.filter((_, i) => ranges[i]![1]! >= least || (i === 0 && kind === 'subtraction'));
-  return kept.length > 0 ? kept : parts;
+  const isKept = parts.map((_, i) => ranges[i]![1]! >= least || (i === 0 && kind === 'subtraction'));
+  if (!isKept.includes(true)) return { kept: parts, dropped: [] };
+  const way: Way = kind === 'intersection' ? 'high' : 'low';
+  return {
+    kept: parts.filter((_, i) => isKept[i]),
+    dropped: parts.filter((_, i) => !isKept[i]).map((part): Dropped => ({ part, way })),
+  };
 }

@@ -1,50 +1,106 @@
 /**
- * A sum of skels as it is within a cube: those that hardly bend there are added up once, as one linear function, and only the
- * others are asked at each point. What is neglected is bounded: each skel's spread says by how much it may leave its linear
- * part (a Gegenbauer remainder for the Cauchy kernel), least first, and their sum stays below the budget. Within a support
- * that is not reached nothing is neglected.
+ * A sum of skels as it is within a cube: those from afar are added up once, as one polynomial of the second degree, and only the
+ * others are asked at each point (SkelField.standIn). What that misses is bounded for each skel without an evaluation; least first they
+ * are taken as long as the sum stays below the budget. Within a support that is not reached nothing is missed.
  *
- * An octree hands down what was left, so that a small cube never looks at all skels.
+ * Theory: a Taylor remainder by Gegenbauer's generating function (kernel/change.ts); budgets halve from a cube to the one
+ * around it. Tried: polynomials of the first degree (lists twice as long, 1.5 × the work); a sort instead of halving a cut.
  */
-import { SPREAD } from '../skeleton/skeleton.ts';
+import type { Vec3 } from '../math/vec.ts';
+import { type FieldValue, SPREAD } from '../skeleton/skeleton.ts';
+import { evaluateTaylor, shiftedTaylor, TAYLOR, taylorAt } from '../skeleton/taylor.ts';
+import { TEST, WITH_GRADIENT } from '../skeleton/work.ts';
+import type { BrickNodes } from './brickNodes.ts';
 import { AROUND, closed, roundedHalf } from './closed.ts';
-import type { Near } from './near.ts';
-import type { BoundTerm } from './skelSum.ts';
+import type { LeafFrame } from './leafFrame.ts';
+import type { Far, Near, NearLeaf, Tally, Way } from './near.ts';
+import { type Colour, commonColour } from './node.ts';
+import { type BoundTerm, UNSEEN } from './skelSum.ts';
 
-/** value + g · (p − at) */
-export interface Linear {
-  readonly at: readonly [x: number, y: number, z: number];
-  readonly value: number;
-  readonly gx: number;
-  readonly gy: number;
-  readonly gz: number;
+/** A term with its number in the sum. */
+interface NearTerm extends BoundTerm {
+  readonly number: number;
+}
+
+/** What is the same for all cubes. */
+interface Whole {
+  readonly threshold: number;
+  /** of the kernel in the world, mm */
+  readonly width: number;
+  /** of the field on the surface, nearly: T a millimetre */
+  readonly steep: number;
+  readonly leaf: number;
+  readonly frame: LeafFrame | null;
+  readonly tally: Tally;
+  /** of all terms, where they have one */
+  readonly plain: Colour | null;
+  readonly first: Colour;
 }
 
 /** of what is added up */
 const ROUNDING = 4e-15;
+/** how often the cut between near and far is halved, as a ratio */
+const HALVINGS = 8;
 
-export class NearSum implements Near {
+const spread = new Float64Array(SPREAD);
+const range = new Float64Array(2);
+const ORIGIN: Vec3 = [0, 0, 0];
+
+/** kernel widths over which a field falls by T about a surface; Cauchy tubes of radius 0.6/s to 0.8/s: 1.3 and 1.5 */
+const STEEP = 1.2;
+/** kernel widths between nodes at most: what is thinner would be missed between them */
+const RESOLVED = 0.8;
+/** of T, however large cells are: intervals want no more */
+const MOST_MISSED = 1e-2;
+
+/** The near list of the whole of space: all terms. `width`: of the kernel, mm. */
+export function nearSum(
+  terms: readonly BoundTerm[],
+  threshold: number,
+  width: number,
+  frame: LeafFrame | null,
+  tally: Tally,
+): Near {
+  const plain = commonColour(terms.map(({ colour }) => colour));
+  const seen = width / (frame?.reach(1) ?? 1);
+  const steep = (STEEP * threshold) / seen;
+  const whole = {
+    threshold,
+    width: seen,
+    steep,
+    leaf: tally.leaves++,
+    frame,
+    tally,
+    plain,
+    first: terms[0]!.colour,
+  };
+  const taylor = new Float64Array(TAYLOR);
+  taylor[0] = -threshold;
+  const far = { centre: ORIGIN, taylor, colour: new Float64Array(4) };
+  const numbered = terms.map((term, number) => ({ ...term, number }));
+  return new NearSum(whole, numbered, far, 0, -Infinity, Infinity);
+}
+
+class NearSum implements Near {
   readonly low: number;
   readonly high: number;
   readonly error: number;
-  readonly #terms: readonly BoundTerm[];
-  readonly #threshold: number;
-  /** what was added up, less T */
-  readonly #far: Linear;
+  readonly branches = 1;
+  readonly #whole: Whole;
+  readonly #terms: readonly NearTerm[];
+  readonly #far: Far;
 
-  constructor(
-    terms: readonly BoundTerm[],
-    threshold: number,
-    far: Linear = { at: [0, 0, 0], value: -threshold, gx: 0, gy: 0, gz: 0 },
-    error = 0,
-    range: ArrayLike<number> = [-Infinity, Infinity],
-  ) {
+  constructor(whole: Whole, terms: readonly NearTerm[], far: Far, error: number, low: number, high: number) {
+    this.#whole = whole;
     this.#terms = terms;
-    this.#threshold = threshold;
     this.#far = far;
     this.error = error;
-    this.low = range[0]!;
-    this.high = range[1]!;
+    this.low = low;
+    this.high = high;
+  }
+
+  get plain(): Colour | null {
+    return this.#whole.plain;
   }
 
   get asked(): number {
@@ -52,65 +108,205 @@ export class NearSum implements Near {
   }
 
   value(x: number, y: number, z: number): number {
-    let sum = linearAt(this.#far, x, y, z);
-    for (const { field, factor } of this.#terms) sum += factor * field.value(x, y, z);
+    const { frame, tally } = this.#whole;
+    tally.work += this.#terms.length;
+    if (!frame) return this.#value(x, y, z);
+    frame.enter(x, y, z);
+    return frame.scale * this.#value(frame.x, frame.y, frame.z);
+  }
+
+  evaluate(x: number, y: number, z: number, out: FieldValue): void {
+    const { frame, tally } = this.#whole;
+    tally.work += WITH_GRADIENT * this.#terms.length;
+    if (!frame) {
+      this.#evaluate(x, y, z, out);
+      return;
+    }
+    frame.enter(x, y, z);
+    this.#evaluate(frame.x, frame.y, frame.z, out);
+    frame.leave(out);
+  }
+
+  colour(x: number, y: number, z: number, out: Float64Array): number {
+    const { plain, frame, tally } = this.#whole;
+    if (plain) {
+      out.set(plain);
+      return this.value(x, y, z);
+    }
+    tally.work += this.#terms.length;
+    if (!frame) return this.#colour(x, y, z, out);
+    frame.enter(x, y, z);
+    return frame.scale * this.#colour(frame.x, frame.y, frame.z, out);
+  }
+
+  branch(): number {
+    return 0;
+  }
+
+  onBranch(_: number, x: number, y: number, z: number, out: FieldValue): void {
+    this.evaluate(x, y, z, out);
+  }
+
+  corners(nodes: BrickNodes, out: Float64Array): number {
+    const { width, leaf, steep } = this.#whole;
+    if (nodes.apart <= RESOLVED * width) return nodes.interpolated(this, leaf, out);
+    return nodes.roughly ? nodes.halved(this, (2 * this.error) / steep, out) : nodes.exact(this, out);
+  }
+
+  eachLeaf(visit: (leaf: NearLeaf) => void): void {
+    const terms = this.#terms.map(({ number }) => number);
+    visit({ leaf: this.#whole.leaf, dropped: null, terms, far: this.#far });
+  }
+
+  eachDropped(way: Way, visit: (leaf: NearLeaf) => void): void {
+    visit({ leaf: this.#whole.leaf, dropped: way, terms: null, far: null });
+  }
+
+  within(x: number, y: number, z: number, cube: number, missed: number): Near {
+    const whole = this.#whole;
+    const { frame } = whole;
+    const half = roundedHalf(x, y, z, cube);
+    const radius = AROUND * half;
+    if (!frame) return this.#cut([x, y, z], radius, half, 0, missed);
+    frame.enter(x, y, z);
+    const off = frame.off(x, y, z, radius);
+    return this.#cut([frame.x, frame.y, frame.z], frame.reach(radius) + off, half, off, missed);
+  }
+
+  /** `radius`: of the ball in the leaf's frame, `half` of the cube in the world; `off`: what rounding does to places. */
+  #cut(centre: Vec3, radius: number, half: number, off: number, allowed: number): Near {
+    const [x, y, z] = centre;
+    const { threshold, steep, tally, frame } = this.#whole;
+    const old = this.#far;
+    const taylor = shiftedTaylor(old.taylor, x - old.centre[0], y - old.centre[1], z - old.centre[2]);
+    const colour = old.colour.slice();
+    const terms = this.#terms;
+    const missed = new Float64Array(terms.length);
+    for (let i = 0; i < terms.length; i++) {
+      const { field, factor } = terms[i]!;
+      missed[i] = Math.abs(factor) * field.missed(x, y, z, radius);
+    }
+    tally.work += TEST * terms.length;
+    const budget = Math.min(allowed * steep, MOST_MISSED * threshold) - this.error;
+    const cut = budget > 0 ? cutFor(missed, budget) : 0;
+    const near: NearTerm[] = [];
+    let error = this.error;
+    spread.fill(0);
+    for (let i = 0; i < terms.length; i++) {
+      const term = terms[i]!;
+      const { field, factor } = term;
+      if (missed[i]! <= cut) {
+        const before = taylor[0]!;
+        tally.work += field.standIn(x, y, z, radius, factor, taylor);
+        addColour(colour, taylor[0]! - before - UNSEEN * threshold, term.colour);
+        error += missed[i]! + ROUNDING * Math.abs(taylor[0]! - before);
+      } else {
+        near.push(term);
+        field.spread(x, y, z, radius, factor, spread);
+      }
+    }
+    tally.work += (WITH_GRADIENT + TEST) * near.length;
+    const scale = frame ? frame.scale : 1;
+    this.#range(taylor, radius, half, off, error);
+    const margin = frame ? ROUNDING * Math.max(Math.abs(range[0]!), Math.abs(range[1]!)) : 0;
+    return new NearSum(
+      this.#whole,
+      near.length === terms.length ? terms : near,
+      { centre, taylor, colour },
+      error,
+      scale * (range[0]! - margin),
+      scale * (range[1]! + margin),
+    );
+  }
+
+  /** From the spread of the near terms and the polynomial of the others. */
+  #range(taylor: Float64Array, radius: number, half: number, off: number, error: number): void {
+    const { threshold, frame } = this.#whole;
+    const bent = frame ? bendInBall(taylor, radius) : bendInCube(taylor, half);
+    const slope = Math.abs(taylor[1]!) + Math.abs(taylor[2]!) + Math.abs(taylor[3]!);
+    const swing = (frame ? radius : half) * slope + bent;
+    const margin = error + ROUNDING * (threshold + Math.abs(taylor[0]!) + Math.abs(spread[0]!));
+    for (let i = 0; i < 4; i++) spread[i] = spread[i]! + taylor[i]!;
+    spread[5] = spread[5]! + taylor[0]! - swing - margin;
+    spread[6] = spread[6]! + taylor[0]! + swing + margin;
+    spread[4] =
+      spread[4]! +
+      bent +
+      margin +
+      2 * off * (Math.abs(spread[1]!) + Math.abs(spread[2]!) + Math.abs(spread[3]!));
+    frame?.turn(spread);
+    closed(spread, half, range);
+  }
+
+  #value(x: number, y: number, z: number): number {
+    const { centre, taylor } = this.#far;
+    const terms = this.#terms;
+    let sum = taylorAt(taylor, x - centre[0], y - centre[1], z - centre[2]);
+    for (let i = 0; i < terms.length; i++) {
+      const term = terms[i]!;
+      sum += term.factor * term.field.value(x, y, z);
+    }
     return sum;
   }
 
-  within(x: number, y: number, z: number, cube: number, share: number): Near {
-    const half = roundedHalf(x, y, z, cube);
-    const spreads = this.#spreads(x, y, z, AROUND * half);
-    const range = this.#range(x, y, z, half, spreads);
-    const order = spreads.map((_, i) => i).sort((a, b) => spreads[a]![4]! - spreads[b]![4]!);
-    const budget = share * this.#threshold;
-    let { gx, gy, gz } = this.#far;
-    let value = linearAt(this.#far, x, y, z);
-    let error = this.error;
-    let count = 0;
-    for (const i of order) {
-      const spread = spreads[i]!;
-      const more = spread[4]! + ROUNDING * Math.abs(spread[0]!);
-      if (!(error + more <= budget)) break;
-      error += more;
-      value += spread[0]!;
-      gx += spread[1]!;
-      gy += spread[2]!;
-      gz += spread[3]!;
-      count++;
+  #evaluate(x: number, y: number, z: number, out: FieldValue): void {
+    const { centre, taylor } = this.#far;
+    const terms = this.#terms;
+    evaluateTaylor(taylor, x - centre[0], y - centre[1], z - centre[2], out);
+    for (let i = 0; i < terms.length; i++) {
+      const term = terms[i]!;
+      term.field.add(x, y, z, term.factor, out);
     }
-    const near = count === 0 ? this.#terms : order.slice(count).map((i) => this.#terms[i]!);
-    return new NearSum(near, this.#threshold, { at: [x, y, z], value, gx, gy, gz }, error, range);
   }
 
-  #spreads(x: number, y: number, z: number, radius: number): Float64Array[] {
-    return this.#terms.map(({ field, factor }) => {
-      const spread = new Float64Array(SPREAD);
-      field.spread(x, y, z, radius, factor, spread);
-      return spread;
-    });
-  }
-
-  /** As SkelSum's own, with what was added up before and what that neglects. */
-  #range(x: number, y: number, z: number, half: number, spreads: readonly Float64Array[]): Float64Array {
-    const { gx, gy, gz } = this.#far;
-    const value = linearAt(this.#far, x, y, z);
-    const swing = half * (Math.abs(gx) + Math.abs(gy) + Math.abs(gz));
-    const total = new Float64Array(SPREAD);
-    for (const spread of spreads) for (let i = 0; i < SPREAD; i++) total[i] = total[i]! + spread[i]!;
-    const margin = this.error + ROUNDING * (this.#threshold + Math.abs(value) + Math.abs(total[0]!));
-    total[0] = total[0]! + value;
-    total[1] = total[1]! + gx;
-    total[2] = total[2]! + gy;
-    total[3] = total[3]! + gz;
-    total[4] = total[4]! + margin;
-    total[5] = total[5]! + value - swing - margin;
-    total[6] = total[6]! + value + swing + margin;
-    const range = new Float64Array(2);
-    closed(total, half, range);
-    return range;
+  #colour(x: number, y: number, z: number, out: Float64Array): number {
+    const { centre, taylor, colour: far } = this.#far;
+    const { threshold, first } = this.#whole;
+    const mean = far.slice();
+    let sum = taylorAt(taylor, x - centre[0], y - centre[1], z - centre[2]);
+    for (const { field, factor, colour } of this.#terms) {
+      const value = factor * field.value(x, y, z);
+      sum += value;
+      addColour(mean, value - UNSEEN * threshold, colour);
+    }
+    const weight = mean[0]!;
+    for (let i = 0; i < 3; i++) out[i] = weight > 0 ? mean[i + 1]! / weight : first[i]!;
+    return sum;
   }
 }
 
-function linearAt({ at: [ax, ay, az], value, gx, gy, gz }: Linear, x: number, y: number, z: number): number {
-  return value + gx * (x - ax) + gy * (y - ay) + gz * (z - az);
+/** A running sum that does not overflow where singular fields are large: what counts are ratios. */
+function addColour(mean: Float64Array, seen: number, colour: Colour): void {
+  if (!(seen > 0)) return;
+  const weight = Math.min(seen, 1e100);
+  mean[0] = mean[0]! + weight;
+  for (let i = 0; i < 3; i++) mean[i + 1] = mean[i + 1]! + weight * colour[i]!;
+}
+
+/** The largest cut for which all that is not above it adds up to no more than the budget, nearly. */
+function cutFor(missed: Float64Array, budget: number): number {
+  const sumTo = (cut: number) => {
+    let sum = 0;
+    for (let i = 0; i < missed.length; i++) if (missed[i]! <= cut) sum += missed[i]!;
+    return sum;
+  };
+  let [low, high] = [budget / missed.length, budget];
+  if (sumTo(high) <= budget) return high;
+  for (let i = 0; i < HALVINGS; i++) {
+    const cut = Math.sqrt(low * high);
+    if (sumTo(cut) <= budget) low = cut;
+    else high = cut;
+  }
+  return low;
+}
+
+/** What the terms of the second degree may add to the value in the middle. */
+function bendInCube(c: Float64Array, half: number): number {
+  let sum = 0;
+  for (let i = 4; i < TAYLOR; i++) sum += Math.abs(c[i]!);
+  return half * half * sum;
+}
+
+function bendInBall(c: Float64Array, radius: number): number {
+  return bendInCube(c, radius);
 }

@@ -75,3 +75,9 @@ export interface AffineNode {
 }
 
 export type FieldNode = SkelsNode | ShapeNode | SetNode | BlendNode | MorphNode | AffineNode;
+
+/** The one that all have, if they do. */
+export function commonColour(colours: readonly (Colour | null)[]): Colour | null {
+  const first = colours[0] ?? null;
+  return first && colours.every((colour) => colour?.every((x, i) => x === first[i])) ? first : null;
+}

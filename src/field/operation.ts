@@ -8,6 +8,10 @@ export interface Operation {
   evaluate(a: number, b: number, out: Float64Array): void;
   /** Writes [low, high] of the results for a and b in their intervals [low, high]. */
   range(a: Float64Array, b: Float64Array, out: Float64Array): void;
+  /** the largest that ∂/∂a and ∂/∂b come to */
+  readonly stretch: number;
+  /** what it is 0 on is what the larger operand is 0 on: its surface has an edge where they meet */
+  readonly isExtreme: boolean;
   /** The c ≥ 0 for which the result is at most `level` ≤ 0 wherever a and b are at most −c. */
   reach(level: number): number;
 }

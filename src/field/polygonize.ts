@@ -1,105 +1,96 @@
 /**
- * The surface of a field as a mesh: marching cubes on a regular lattice, with exact values where the surface may be and proven signs
- * elsewhere (culledSampling.ts): watertight, with vertices on the surface and the field's own normals. Simple in that the
- * lattice itself is dense, that each value takes all skels, and that nothing is kept from one body to the next.
+ * The surface of a field as a mesh: bricks of cells where it may be (bricks.ts), values there (brickValues.ts), marching cubes
+ * (brickMesh.ts). Watertight, with vertices on the surface, the field's own normals and colours, and sharp edges where the
+ * tree has them. Work follows the surface: Kravtsov et al. §1.2.3 and Zhu et al. §4 sample the whole volume instead.
  *
  * The steps are generators that yield the share done of the step they are at, so that a worker may pause or give up between
  * them; `polygonize` runs all of them at once.
  */
-
 import type { Box } from '../skeleton/skeleton.ts';
-import { culledSampling } from './culledSampling.ts';
-import { crossed, fitting } from './fitBox.ts';
-import { type Lattice, type LatticeValues, latticeAround, latticeOver } from './lattice.ts';
-import type { FieldMesh } from './latticeMesh.ts';
-import { meshing } from './latticeMesh.ts';
+import { BrickMesh, type FieldMesh } from './brickMesh.ts';
+import { type Bricks, culling } from './bricks.ts';
+import { BrickValues } from './brickValues.ts';
+import { fitting, grownWhere } from './fitBox.ts';
+import { type Lattice, latticeAround, latticeOver } from './lattice.ts';
+import { type Near, Tally } from './near.ts';
 import type { TreeField } from './treeField.ts';
 
 export interface Polygonized {
   readonly mesh: FieldMesh;
   readonly lattice: Lattice;
-  /** values, slopes and colours taken of the field; those from elsewhere are not among them */
+  /** all that was asked of skels, in values of one skel at one point (skeleton/work.ts) */
   readonly evaluations: number;
+  readonly bricks: Bricks;
 }
-
-/** Where lattice values come from; `Wait` is what a step may have to wait for. */
-export type Sampler<Wait = never> = (
-  field: TreeField,
-  lattice: Lattice,
-) => Generator<number | Wait, LatticeValues>;
 
 /** mm to all sides of the origin: what is seen of bodies without end, such as half-spaces */
 export const PAGE = 100;
 
 /** A body that still leaves its lattice after so many rounds is cut off there. */
 const ROUNDS = 6;
+/** bricks between two looks at the clock */
+const BATCH = 16;
 
 /** Runs to the end; see `polygonizing`. */
 export function polygonize(field: TreeField, resolution: number, box: Box | null = field.box): Polygonized {
-  const work = polygonizing(field, resolution, culledSampling, box);
+  const work = polygonizing(field, resolution, box);
   for (;;) {
     const { done, value } = work.next();
     if (done) return value;
   }
 }
 
+/** What a field is asked through, and where its surface may be. */
+export interface Located {
+  readonly whole: Near;
+  readonly tally: Tally;
+  readonly bricks: Bricks;
+}
+
 /**
  * `resolution` cells along the longest side of the body in `box`, which is fitted to the body, and grown where the body leaves
  * it. Without a box the body has no end, and is cut off at `PAGE`. FieldError for a box of no finite numbers.
  */
-export function* polygonizing<Wait>(
+export function* polygonizing(
   field: TreeField,
   resolution: number,
-  sampler: Sampler<Wait>,
   box: Box | null = field.box,
-): Generator<number | Wait, Polygonized> {
-  const counted = new Counted(field);
-  // a lattice where nothing is makes an empty mesh
-  let around = box && ((yield* fitting(counted, box)) ?? box);
+): Generator<number, Polygonized> {
+  let within = box;
+  let before = 0;
   for (let round = 0; ; round++) {
-    const lattice = around ? latticeAround(around, resolution) : latticeOver(PAGE, resolution);
-    const values = yield* sampler(counted, lattice);
-    const larger = around && round < ROUNDS ? crossed(around, lattice, values) : null;
-    if (!larger) {
-      const mesh = yield* meshing(counted, lattice, values);
-      return { mesh, lattice, evaluations: counted.evaluations };
-    }
-    around = larger;
+    const located = yield* locating(field, resolution, within);
+    const { mesh, leaves } = yield* meshing(located);
+    const larger = within && round < ROUNDS ? grownWhere(within, leaves) : null;
+    const { bricks, tally } = located;
+    const evaluations = before + tally.work;
+    if (!larger) return { mesh, lattice: bricks.lattice, evaluations, bricks };
+    before = evaluations;
+    within = larger;
   }
 }
 
-/** A field that counts what is asked of it. */
-class Counted implements TreeField {
-  evaluations = 0;
-  readonly box: Box | null;
-  readonly #field: TreeField;
+/** The bricks of a body in `box`, as above. */
+export function* locating(
+  field: TreeField,
+  resolution: number,
+  box: Box | null = field.box,
+): Generator<number, Located> {
+  const tally = new Tally();
+  const whole = field.near(tally);
+  // a lattice where nothing is makes an empty mesh
+  const around = box && ((yield* fitting(whole, box)) ?? box);
+  const lattice = around ? latticeAround(around, resolution) : latticeOver(PAGE, resolution);
+  return { whole, tally, bricks: yield* culling(whole, lattice) };
+}
 
-  constructor(field: TreeField) {
-    this.#field = field;
-    this.box = field.box;
+/** The mesh of all bricks, and whether it was cut off at each side of the lattice: −x, x, −y, y, −z, z. */
+export function* meshing({ whole, tally, bricks }: Located) {
+  const values = new BrickValues(whole, bricks, tally);
+  const mesh = new BrickMesh(bricks, values, tally);
+  for (const [place, brick] of bricks.active.entries()) {
+    mesh.add(brick, values.fill(place));
+    if (place % BATCH === 0) yield place / bricks.active.length;
   }
-
-  value(x: number, y: number, z: number): number {
-    this.evaluations++;
-    return this.#field.value(x, y, z);
-  }
-
-  evaluate(x: number, y: number, z: number, out: Float64Array): void {
-    this.evaluations++;
-    this.#field.evaluate(x, y, z, out);
-  }
-
-  colour(x: number, y: number, z: number, out: Float64Array): number {
-    this.evaluations++;
-    return this.#field.colour(x, y, z, out);
-  }
-
-  range(x: number, y: number, z: number, half: number, out: Float64Array): void {
-    this.evaluations++;
-    this.#field.range(x, y, z, half, out);
-  }
-
-  boxAbove(level: number): Box | null {
-    return this.#field.boxAbove(level);
-  }
+  return { mesh: mesh.mesh(), leaves: values.leaves };
 }

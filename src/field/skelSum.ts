@@ -12,10 +12,11 @@ import {
 } from '../skeleton/skeleton.ts';
 import { grown, unite } from './boxes.ts';
 import { AROUND, closed, roundedHalf } from './closed.ts';
-import type { Near } from './near.ts';
-import { NearSum } from './nearSum.ts';
+import type { LeafFrame } from './leafFrame.ts';
+import type { Near, Tally } from './near.ts';
+import { nearSum } from './nearSum.ts';
 import type { Colour } from './node.ts';
-import type { LeafField } from './treeField.ts';
+import type { LeafField, TreeField } from './treeField.ts';
 
 export interface BoundTerm {
   readonly field: SkelField;
@@ -29,25 +30,40 @@ export function checkThreshold(threshold: number): void {
     throw new FieldError(`threshold must be above 0, got ${threshold}`);
 }
 
-/** FieldError when there is nothing to add. */
-export function skelSum(terms: readonly BoundTerm[], threshold: number): LeafField {
+/** `width`: of the kernel, mm, for those that have one. FieldError when there is nothing to add. */
+export function skelSum(
+  terms: readonly BoundTerm[],
+  threshold: number,
+  width: number | null = null,
+): LeafField {
   if (terms.length === 0) throw new FieldError('a body needs at least one skel');
-  return new SkelSum(terms, threshold);
+  return new SkelSum(terms, threshold, width ?? reachOf(terms, threshold));
 }
 
-/** of T */
-const UNSEEN = 1e-3;
+/** of T: what adds less has no colour */
+export const UNSEEN = 1e-3;
+/** what a Cauchy kernel's width is of the radius of a point or a tube that is as steep as one of 1/r⁵ */
+const STEEP = 0.3;
+
+/** What is as wide as a kernel without a width: a share of how far the thinnest skel reaches by itself. */
+function reachOf(terms: readonly BoundTerm[], threshold: number): number {
+  const reaches = terms.map(({ field, factor }) => field.offset(threshold / Math.abs(factor)));
+  return STEEP * reaches.reduce((least, reach) => (reach > 0 && reach < least ? reach : least), Infinity);
+}
+
 /** of T and the sum */
 const ROUNDING = 4e-15;
 
 class SkelSum implements LeafField {
   readonly #terms: readonly BoundTerm[];
   readonly #threshold: number;
+  readonly #width: number;
   readonly #spread = new Float64Array(SPREAD);
   readonly box: Box | null;
 
-  constructor(terms: readonly BoundTerm[], threshold: number) {
+  constructor(terms: readonly BoundTerm[], threshold: number, width: number) {
     this.#terms = terms;
+    this.#width = width;
     this.#threshold = threshold;
     this.box = this.boxAbove(0);
   }
@@ -106,8 +122,12 @@ class SkelSum implements LeafField {
     closed(this.#spread, grown, out);
   }
 
-  near(): Near {
-    return new NearSum(this.#terms, this.#threshold);
+  near(tally: Tally): Near {
+    return nearSum(this.#terms, this.#threshold, this.#width, null, tally);
+  }
+
+  nearIn(frame: LeafFrame, _: TreeField, tally: Tally): Near {
+    return nearSum(this.#terms, this.#threshold, this.#width, frame, tally);
   }
 
   /** Beyond every skel's own box its term is below its even share of T + level. */

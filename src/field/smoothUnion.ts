@@ -16,6 +16,8 @@ export const smoothUnion: Operation = {
     out[1] = q > 0 ? share(a, b, q) : 1;
     out[2] = q > 0 ? share(b, a, q) : 1;
   },
+  stretch: 2,
+  isExtreme: true,
   range: monotone(smoothUnionValue),
   // a = b is the worst case
   reach: (level) => -level / (2 - Math.SQRT2),

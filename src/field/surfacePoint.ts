@@ -5,7 +5,7 @@
  */
 import { add3, dot3, scale3, sub3 } from '../math/tuple.ts';
 import type { Vec3 } from '../math/vec.ts';
-import type { TreeField } from './treeField.ts';
+import type { FieldValue } from '../skeleton/skeleton.ts';
 
 /** values taken along an edge at most; smooth fields need two or three */
 const STEPS = 16;
@@ -19,6 +19,12 @@ const POLISH = 0.05;
 /** Parts of the edge that are kept from its ends: edges that meet at a node must not put their vertices into one place. */
 const ENDS = 1e-3;
 
+/** What is looked at along an edge. */
+export interface Crossed {
+  value(x: number, y: number, z: number): number;
+  evaluate(x: number, y: number, z: number, out: FieldValue): void;
+}
+
 export interface SurfacePoint {
   readonly at: Vec3;
   /** unit, out of where the field is positive; null where it has no slope */
@@ -28,13 +34,7 @@ export interface SurfacePoint {
 const value = new Float64Array(4);
 
 /** Between a and b, with values of opposite signs there. */
-export function surfacePoint(
-  field: TreeField,
-  a: Vec3,
-  b: Vec3,
-  valueA: number,
-  valueB: number,
-): SurfacePoint {
+export function surfacePoint(field: Crossed, a: Vec3, b: Vec3, valueA: number, valueB: number): SurfacePoint {
   const along = sub3(b, a);
   const t = crossing(field, a, along, valueA, valueB);
   const near = add3(a, scale3(along, t));
@@ -48,7 +48,7 @@ export function surfacePoint(
 const kept = (t: number) => Math.min(Math.max(t, ENDS), 1 - ENDS);
 
 /** Nearly the part of the way at which the field is 0. Illinois: the end that stays counts half, or it would stay for ever. */
-function crossing(field: TreeField, a: Vec3, along: Vec3, valueA: number, valueB: number): number {
+function crossing(field: Crossed, a: Vec3, along: Vec3, valueA: number, valueB: number): number {
   const small = SMALL * Math.min(Math.abs(valueA), Math.abs(valueB));
   let [low, high, atLow, atHigh] = [0, 1, valueA, valueB];
   let [guess, last] = [Number.NaN, Number.NaN];

@@ -1,6 +1,9 @@
 /** The field of a skel with a cross section: see warp.ts. The point is mapped, the plain skel evaluated there, the gradient brought back. */
+
+import { scale3 as scaled } from '../math/tuple.ts';
 import type { Vec3 } from '../math/vec.ts';
 import { type Box, type FieldValue, type SkelField, SPREAD, type Spread } from '../skeleton/skeleton.ts';
+import { addMapped, TAYLOR, type Taylor } from '../skeleton/taylor.ts';
 import { type Affine, mappedBox } from './affine.ts';
 import type { Section } from './section.ts';
 
@@ -41,11 +44,10 @@ export class Warped implements SkelField {
   readonly #spread = new Float64Array(SPREAD);
   readonly #move = new Float64Array(2);
   readonly box: Box;
-  readonly standIn: SkelField['standIn'];
+  readonly #local = new Float64Array(TAYLOR);
 
   constructor(skel: SkelField, frame: Frame, section: Section, bx: number, by: number) {
     this.#skel = skel;
-    this.standIn = skel.standIn;
     this.#frame = frame;
     this.#section = section;
     this.#bx = bx;
@@ -93,11 +95,21 @@ export class Warped implements SkelField {
     if (local[4]! > 0) this.#back(local, out);
   }
 
-  /** The map keeps quadratics only where it is linear. */
+  /** The map keeps quadratics only where it is linear; elsewhere what is missed but beyond a support is not known. */
   missed(x: number, y: number, z: number, radius: number): number {
     this.#see(x, y, z, radius);
-    if (!seen.isLinear && this.standIn === 'quadratic') return Infinity;
-    return this.#skel.missed(seen.x, seen.y, seen.z, seen.reach);
+    const missed = this.#skel.missed(seen.x, seen.y, seen.z, seen.reach);
+    return seen.isLinear || missed === 0 ? missed : Infinity;
+  }
+
+  standIn(x: number, y: number, z: number, radius: number, factor: number, out: Taylor): number {
+    this.#see(x, y, z, radius);
+    const local = this.#local.fill(0);
+    const m = this.#stretch[0]!;
+    const work = this.#skel.standIn(seen.x, seen.y, seen.z, seen.reach, factor, local);
+    const { x: ex, y: ey, z: ez } = this.#frame;
+    if (work > 0) addMapped(local, [...scaled(ex, m / this.#bx), ...scaled(ey, m / this.#by), ...ez], out);
+    return work;
   }
 
   /** Adds a spread of the plain skel: with its gradient brought back, or where the map bends too much for that without one. */

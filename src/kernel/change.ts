@@ -31,6 +31,10 @@ export class Step {
 
 export interface RelativeChange {
   readonly type: 'relative';
+  /** the kernel is (core + r²)^(−n/2) */
+  readonly core: 0 | 1;
+  /** n, given that of the power kernel */
+  power(exponent: number): number;
   /** Sees to least, most and bend for the field of points all at distance ≥ r. */
   factors(step: Step): void;
   /** Sees to bend as what the Taylor polynomial of the second degree leaves out. */
@@ -59,6 +63,8 @@ const SMALL_CUBE = 1e-2;
 export function powerChange(core: 0 | 1, n?: number): RelativeChange {
   return {
     type: 'relative',
+    core,
+    power: (exponent) => n ?? exponent,
     factors(step) {
       const { r, by } = step;
       const power = n ?? step.exponent;

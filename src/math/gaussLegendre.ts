@@ -11,7 +11,7 @@ export interface GaussRule {
   readonly weights: Float64Array;
 }
 
-export type GaussPoints = 3 | 4 | 5 | 6 | 10 | 16;
+export type GaussPoints = 1 | 2 | 3 | 4 | 5 | 6 | 10 | 16;
 
 /** The rule from its nodes ≥ 0, each with its weight: mirrored, so that odd polynomials vanish exactly. */
 function table(half: readonly (readonly [node: number, weight: number])[]): GaussRule {
@@ -24,6 +24,8 @@ function table(half: readonly (readonly [node: number, weight: number])[]): Gaus
 }
 
 export const GAUSS: Readonly<Record<GaussPoints, GaussRule>> = {
+  1: table([[0, 2]]),
+  2: table([[0.5773502691896257, 1]]),
   3: table([
     [0, 0.8888888888888888],
     [0.7745966692414834, 0.5555555555555556],

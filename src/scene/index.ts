@@ -10,6 +10,7 @@ import { type Backend, createRenderer, type SceneRenderer } from './renderer.ts'
 
 export type { DeviceDescription } from '../gpu/device.ts';
 export { CameraRig } from './cameraRig.ts';
+export type { DeviceMesh } from './deviceMesh.ts';
 export { type Background, DEFAULT_LOOK, type KernelChoice, type Look, type Style } from './look.ts';
 export type { SceneItem } from './part.ts';
 export type { Hit } from './pick.ts';
@@ -31,10 +32,13 @@ export interface Scene {
   /** Its first frame could not be drawn: another device of the same back end is of no use. */
   readonly useless: boolean;
   readonly rig: CameraRig;
-  /** of the last frame, over all passes */
+  /** of the last frame, over all passes; without meshes on the device, whose numbers only the device knows */
   readonly drawCalls: number;
   readonly triangles: number;
-  /** Puts in what is new, changes what changed, disposes what left; compares by reference. */
+  /**
+   * Puts in what is new, changes what changed, disposes what left; compares by reference. Throws, and changes nothing, where a mesh on the
+   * device cannot be drawn: on WebGL2, or for want of a usage of its buffers.
+   */
   sync(items: readonly SceneItem[]): void;
   setLook(look: Look): void;
   /** CSS pixels, and device pixels a CSS pixel */
@@ -43,6 +47,13 @@ export interface Scene {
   pick(x: number, y: number, except?: readonly string[]): Hit | null;
   /** One frame, now. */
   render(): void;
+  /**
+   * Keeps the picture of the last frame: it lies over the frames to come, as `fade` says, until the look or the size changes.
+   * False where there is none.
+   */
+  keep(): boolean;
+  /** How much is seen of the picture that is kept, 0–1; at 0 it goes. */
+  fade(share: number): void;
   /** The parts with a blue contour. */
   select(ids: readonly string[]): void;
   /**
@@ -136,6 +147,10 @@ function makeScene(made: SceneRenderer, options: SceneOptions): Scene {
       // What the self-test did not find out shows at the first frame.
       else made.watched(async () => draw()).catch(fail);
       if (drawing === 'not yet') drawing = 'begun';
+    },
+    keep: () => made.gone === null && drawing === 'begun' && pipeline.keep(),
+    fade(share) {
+      pipeline.fade = share;
     },
     select: (ids) => pipeline.parts.select(ids),
     picture: (wanted) => takePicture(made, () => (studio ??= new Studio(made)), wanted),

@@ -12,6 +12,7 @@ import {
   cameraViewMatrix,
   Fn,
   frontFacing,
+  mix,
   normalGeometry,
   positionView,
   userData,
@@ -40,8 +41,18 @@ export const SHININESS = 40;
 /** The part's own colour, display values 0–1, set on the object that is drawn. */
 export const partColour = userData('colour', 'vec3') as unknown as Node<'vec3'>;
 
-/** A painted mesh's colours, display values 0–1, of the vertex stage. */
-export const vertexColour = attribute<'vec3'>('colour', 'vec3');
+/** Linear light, 0–1 → display values (sRGB's own curve). */
+function displayed(linear: Node<'vec3'>): Node<'vec3'> {
+  const curve = linear
+    .max(0)
+    .pow(1 / 2.4)
+    .mul(1.055)
+    .sub(0.055);
+  return mix(curve, linear.mul(12.92), vec3(linear.lessThanEqual(0.0031308)));
+}
+
+/** A painted mesh's colours, which are linear, as display values 0–1, of the vertex stage. */
+export const vertexColour = displayed(attribute<'vec3'>('colour', 'vec3'));
 
 /** The vertex normal in view space, outward, of the vertex stage. Parts are never scaled, so no inverse is due. */
 export const vertexNormal = cameraViewMatrix.mul(vec4(normalGeometry, 0)).xyz;

@@ -35,8 +35,3 @@ export function displayRgb(hex: string): Vec3 {
   const value = Number.parseInt(hex.slice(1), 16);
   return [(value >> 16) / 255, ((value >> 8) & 255) / 255, (value & 255) / 255];
 }
-
-/** Linear light, 0–1 → display values (sRGB's own curve). */
-export function displayColours(linear: Float32Array): Float32Array {
-  return linear.map((x) => (x <= 0.0031308 ? 12.92 * x : 1.055 * x ** (1 / 2.4) - 0.055));
-}

@@ -22,6 +22,7 @@ export class Materials implements PartMaterials {
   readonly line: NodeMaterial;
   readonly occluder: NodeMaterial;
   readonly wire: NodeMaterial;
+  readonly lineWire: NodeMaterial;
   readonly preview: NodeMaterial;
   readonly silhouette: NodeMaterial;
   readonly seen: NodeMaterial;
@@ -37,7 +38,8 @@ export class Materials implements PartMaterials {
     this.#grain = grain;
     this.line = this.#once('line', () => lineMaterial(lines));
     this.occluder = this.#once('occluder', occluderMaterial);
-    this.wire = this.#once('wire', () => wireMaterial(page.line));
+    this.wire = this.#once('wire', () => wireMaterial(page.line, true));
+    this.lineWire = this.#once('line wire', () => wireMaterial(page.line, false));
     this.silhouette = this.#once('silhouette', silhouetteMaterial);
     this.seen = this.#once('seen', seenMaterial);
     this.preview = this.#once('preview', () => previewMaterial(targets.edges.texture, lines, page));

@@ -10,6 +10,7 @@ import {
   BufferAttribute,
   BufferGeometry,
   type EventDispatcher,
+  LineSegments,
   type Material,
   Sphere,
   Mesh as ThreeMesh,
@@ -17,13 +18,17 @@ import {
   Vector3,
 } from 'three/webgpu';
 import type { Mesh } from '../mesh/mesh.ts';
-import { displayColours, displayRgb } from './look.ts';
+import { type DeviceMesh, isOnDevice } from './deviceMesh.ts';
+import { DeviceWires } from './deviceWires.ts';
+import { displayRgb } from './look.ts';
+import type { Seam } from './seam.ts';
 import { MASK_ORDER } from './selection.ts';
 import type { Ball } from './view.ts';
 
 export interface SceneItem {
   readonly id: string;
-  readonly mesh: Mesh;
+  /** on WebGL2 arrays only */
+  readonly mesh: Mesh | DeviceMesh;
   /** #rrggbb, display sRGB; of previews, and where the mesh has no colours of its own */
   readonly colour: string;
   /** drawn lightly and without lines: not yet kept */
@@ -38,10 +43,10 @@ export interface Part extends Meshes {
 /** What three draws of one part. */
 interface Meshes {
   /** in all the passes, and where each belongs */
-  readonly meshes: ReadonlyMap<ThreeMesh, ThreeScene>;
+  readonly meshes: ReadonlyMap<ThreeMesh | LineSegments, ThreeScene>;
   /** those of the colour pass; a preview has none */
   readonly fill: ThreeMesh | null;
-  readonly wire: ThreeMesh | null;
+  readonly wire: ThreeMesh | LineSegments | null;
   /** those of the selection's mask; a preview has none */
   readonly silhouette: ThreeMesh | null;
   readonly mask: ThreeMesh | null;
@@ -52,6 +57,7 @@ export interface PartMaterials {
   readonly line: Material;
   readonly occluder: Material;
   readonly wire: Material;
+  readonly lineWire: Material;
   readonly preview: Material;
   readonly silhouette: Material;
   readonly seen: Material;
@@ -60,8 +66,8 @@ export interface PartMaterials {
 /** The style's material, for parts of one colour or painted ones; made when first asked for. */
 export type Fill = (painted: boolean) => Material;
 
-/** Meshes are only taken over by parts that are drawn with the same materials. */
-type Kind = 'kept' | 'painted' | 'preview';
+/** Meshes are only taken over by parts that are drawn with the same materials, from the same sort of arrays. */
+type Kind = 'kept' | 'painted' | 'preview' | 'painted on the device' | 'preview on the device';
 
 /** One three scene a pass, so that a pass is a list of what it draws and nothing is switched on and off. */
 export class Parts {
@@ -73,14 +79,18 @@ export class Parts {
   readonly sphere = new Sphere(new Vector3(), 0);
   readonly #parts = new Map<string, Part>();
   readonly #materials: PartMaterials;
+  readonly #seam: Seam;
   /** meshes without a part, of kept ones and of previews */
   readonly #spare = new Map<Kind, Meshes>();
+  /** of meshes on the device, while wires are seen */
+  readonly #wires = new Map<string, DeviceWires>();
   #fill: Fill;
   #wireframe = false;
   #selected: ReadonlySet<string> = new Set();
 
-  constructor(materials: PartMaterials, fill: Fill) {
+  constructor(materials: PartMaterials, fill: Fill, seam: Seam) {
     this.#materials = materials;
+    this.#seam = seam;
     this.#fill = fill;
   }
 
@@ -106,8 +116,12 @@ export class Parts {
     return radius > 0 ? { centre: center.toArray(), radius } : null;
   }
 
-  /** Returns whether geometry or what is a preview changed, in other words whether lines and bounds did. */
+  /**
+   * Returns whether geometry or what is a preview changed, in other words whether lines and bounds did. Throws, and changes nothing,
+   * where a mesh on the device cannot be drawn.
+   */
   sync(items: readonly SceneItem[]): boolean {
+    for (const { mesh } of items) if (isOnDevice(mesh)) this.#seam.check(mesh);
     let changed = false;
     const wanted = new Set(items.map((item) => item.id));
     for (const [id, part] of this.#parts) {
@@ -126,8 +140,14 @@ export class Parts {
   }
 
   setWireframe(on: boolean): void {
+    if (on === this.#wireframe) return;
     this.#wireframe = on;
-    for (const { wire } of this.#parts.values()) if (wire) wire.visible = on;
+    for (const part of this.#parts.values()) this.#wire(part);
+  }
+
+  /** Before each frame. */
+  update(): void {
+    for (const wires of this.#wires.values()) wires.update();
   }
 
   select(ids: readonly string[]): void {
@@ -148,7 +168,7 @@ export class Parts {
       return false;
     }
     if (old) this.#remove(old);
-    const geometry = toGeometry(item);
+    const geometry = this.#geometry(item);
     const part = { item, geometry, ...this.#meshes(kindOf(item)) };
     for (const [mesh, scene] of part.meshes) {
       mesh.geometry = geometry;
@@ -156,11 +176,22 @@ export class Parts {
       scene.add(mesh);
     }
     if (part.fill) part.fill.material = this.#fill(isPainted(item));
-    if (part.wire) part.wire.visible = this.#wireframe;
+    this.#wire(part);
     this.#parts.set(item.id, part);
     this.#recolour(part, item);
     this.#mark(part);
     return true;
+  }
+
+  #wire({ item, wire }: Part): void {
+    this.#wires.get(item.id)?.end();
+    this.#wires.delete(item.id);
+    if (!wire) return;
+    wire.visible = this.#wireframe;
+    if (!this.#wireframe || !isOnDevice(item.mesh)) return;
+    const wires = new DeviceWires(this.#seam, item.mesh);
+    this.#wires.set(item.id, wires);
+    wire.geometry = wires.geometry;
   }
 
   /** In the mask a part is either what is selected or what may hide it. */
@@ -175,16 +206,26 @@ export class Parts {
   #meshes(kind: Kind): Meshes {
     const spare = this.#spare.get(kind);
     this.#spare.delete(kind);
-    return spare ?? (kind === 'preview' ? this.#lightly() : this.#fully(kind === 'painted'));
+    if (spare) return spare;
+    return kind.startsWith('preview')
+      ? this.#lightly()
+      : this.#fully(kind !== 'kept', kind.endsWith('device'));
   }
 
-  #fully(painted: boolean): Meshes {
+  #geometry(item: SceneItem): BufferGeometry {
+    const { mesh, preview, id } = item;
+    const geometry = isOnDevice(mesh) ? this.#seam.geometry(mesh, !preview) : toGeometry(mesh, !preview);
+    geometry.name = id;
+    return geometry;
+  }
+
+  #fully(painted: boolean, onDevice: boolean): Meshes {
     const fill = drawn(this.#fill(painted));
     // before the grid, which is blended over what is there
-    const wire = drawn(this.#materials.wire, 1);
+    const wire = onDevice ? lines(this.#materials.lineWire, 1) : drawn(this.#materials.wire, 1);
     const silhouette = drawn(this.#materials.silhouette, MASK_ORDER.silhouette);
     const mask = drawn(this.#materials.occluder);
-    const meshes = new Map([
+    const meshes = new Map<ThreeMesh | LineSegments, ThreeScene>([
       [drawn(this.#materials.line), this.lines],
       [fill, this.colour],
       [wire, this.colour],
@@ -212,7 +253,10 @@ export class Parts {
 
   #remove({ item, geometry, ...meshes }: Part): void {
     for (const mesh of meshes.meshes.keys()) mesh.removeFromParent();
-    geometry.dispose();
+    this.#wires.get(item.id)?.end();
+    this.#wires.delete(item.id);
+    if (isOnDevice(item.mesh)) this.#seam.end(geometry);
+    else geometry.dispose();
     this.#parts.delete(item.id);
     const kind = kindOf(item);
     if (this.#spare.has(kind)) end(meshes.meshes);
@@ -231,7 +275,10 @@ export class Parts {
 
 const isPainted = ({ mesh }: SceneItem): boolean => mesh.colours !== undefined;
 
-const kindOf = (item: SceneItem): Kind => (item.preview ? 'preview' : isPainted(item) ? 'painted' : 'kept');
+function kindOf(item: SceneItem): Kind {
+  const kind = item.preview ? 'preview' : isPainted(item) ? 'painted' : 'kept';
+  return isOnDevice(item.mesh) && kind !== 'kept' ? `${kind} on the device` : kind;
+}
 
 function named(name: string): ThreeScene {
   const scene = new ThreeScene();
@@ -241,7 +288,14 @@ function named(name: string): ThreeScene {
 
 /** Of a part that is still to come. */
 function drawn(material: Material, order = 0): ThreeMesh {
-  const mesh = new ThreeMesh(undefined, material);
+  return placed(new ThreeMesh(undefined, material), order);
+}
+
+function lines(material: Material, order: number): LineSegments {
+  return placed(new LineSegments(undefined, material), order);
+}
+
+function placed<T extends ThreeMesh | LineSegments>(mesh: T, order: number): T {
   mesh.matrixAutoUpdate = false;
   mesh.renderOrder = order;
   return mesh;
@@ -253,14 +307,11 @@ function end(meshes: Meshes['meshes']): void {
     (mesh as EventDispatcher<{ dispose: object }>).dispatchEvent({ type: 'dispose' });
 }
 
-function toGeometry(item: SceneItem): BufferGeometry {
+function toGeometry({ positions, normals, indices, colours }: Mesh, painted: boolean): BufferGeometry {
   const geometry = new BufferGeometry();
-  geometry.name = item.id;
-  const { positions, normals, indices, colours } = item.mesh;
   geometry.setAttribute('position', new BufferAttribute(positions, 3));
   geometry.setAttribute('normal', new BufferAttribute(normals, 3));
-  if (colours && !item.preview)
-    geometry.setAttribute('colour', new BufferAttribute(displayColours(colours), 3));
+  if (colours && painted) geometry.setAttribute('colour', new BufferAttribute(colours, 3));
   geometry.setIndex(new BufferAttribute(indices, 1));
   geometry.computeBoundingSphere();
   return geometry;

@@ -1,9 +1,14 @@
-/** What lies under a point of the screen: the nearest hit over all parts, through a bounding volume hierarchy. */
+/**
+ * What lies under a point of the screen: the nearest hit over all parts, through a bounding volume hierarchy; of meshes on the device
+ * their boxes.
+ */
 
 import {
+  Box3,
   type BufferGeometry,
   type Camera,
   DoubleSide,
+  type Ray,
   Raycaster,
   Triangle,
   Vector2,
@@ -11,6 +16,8 @@ import {
 } from 'three/webgpu';
 import { MeshBVH } from 'three-mesh-bvh';
 import type { Vec3 } from '../math/vec.ts';
+import type { Box } from '../mesh/mesh.ts';
+import { isOnDevice } from './deviceMesh.ts';
 import type { Part } from './part.ts';
 
 export interface Hit {
@@ -48,14 +55,39 @@ export function pick(
   let nearest: Hit | null = null;
   let distance = Infinity;
   for (const { geometry, item } of parts) {
-    if (item.mesh.indices.length === 0 || except.includes(item.id)) continue;
-    const hit = hierarchy(geometry).raycastFirst(caster.ray, DoubleSide);
-    if (!hit || hit.distance >= distance || !hit.face) continue;
+    if (except.includes(item.id)) continue;
+    const { mesh } = item;
+    const hit = isOnDevice(mesh) ? onBox(mesh.box, caster.ray) : onTriangles(geometry, caster.ray);
+    if (!hit || hit.distance >= distance) continue;
     distance = hit.distance;
-    const corners = [hit.face.a, hit.face.b, hit.face.c] as const;
-    nearest = { point: hit.point.toArray(), normal: smoothNormal(geometry, corners, hit.point), id: item.id };
+    nearest = { point: hit.point.toArray(), normal: hit.normal, id: item.id };
   }
   return nearest;
+}
+
+interface Found {
+  readonly distance: number;
+  readonly point: Vector3;
+  readonly normal: Vec3;
+}
+
+function onTriangles(geometry: BufferGeometry, ray: Ray): Found | null {
+  if (geometry.index?.count === 0) return null;
+  const hit = hierarchy(geometry).raycastFirst(ray, DoubleSide);
+  if (!hit?.face) return null;
+  const corners = [hit.face.a, hit.face.b, hit.face.c] as const;
+  return { ...hit, normal: smoothNormal(geometry, corners, hit.point) };
+}
+
+/** Where the ray enters, or leaves where it begins within: the triangles themselves are on the device. */
+function onBox(box: Box, ray: Ray): Found | null {
+  const [min, max] = [new Vector3(...box.min), new Vector3(...box.max)];
+  const point = ray.intersectBox(new Box3(min, max), new Vector3());
+  if (!point) return null;
+  const sides = [...min.sub(point), ...max.sub(point)].map(Math.abs);
+  const side = sides.indexOf(Math.min(...sides));
+  const normal = new Vector3().setComponent(side % 3, side < 3 ? -1 : 1);
+  return { point, distance: point.distanceTo(ray.origin), normal: normal.toArray() };
 }
 
 function smoothNormal(

@@ -7,6 +7,7 @@
  *   4 preview  forms not yet kept, lightly → 4 samples a pixel                 when there are any
  *   5 mask     what is selected, and what hides it → 4 samples a pixel         when anything is
  *   6 page     paper, colour, lines, preview, blue contour → the canvas, or a target of its own for a picture
+ *   7 fade     the picture before, lightly → over it                            while one body goes over into the next
  *
  * Lines and colour are two passes because attachments of one pass share a sample count, and normals must not be
  * averaged before they are compared. The line passes run at up to twice the screen's resolution and the page pass
@@ -16,6 +17,7 @@
 import type { Scene as ThreeScene, WebGPURenderer } from 'three/webgpu';
 import { type Camera, Color, type NodeMaterial, QuadMesh, type RenderTarget, Vector2 } from 'three/webgpu';
 import type { View } from '../stroke/stroke.ts';
+import { Fade } from './fade.ts';
 import { Grid } from './grid.ts';
 import { type Kernel, LineUniforms } from './hbed.ts';
 import { InkUniforms } from './ink.ts';
@@ -32,6 +34,7 @@ import { Materials } from './materials.ts';
 import { PageUniforms } from './page.ts';
 import { GRAIN, makeGrain } from './paper.ts';
 import { type Fill, Parts } from './part.ts';
+import { Seam } from './seam.ts';
 import { SelectionUniforms } from './selection.ts';
 import { makeTargets } from './targets.ts';
 
@@ -72,12 +75,15 @@ export class Pipeline {
   readonly #page = new PageUniforms();
   readonly #selection = new SelectionUniforms();
   readonly #targets = makeTargets();
+  readonly #fade = new Fade();
   readonly #grain: RenderTarget;
   readonly #materials: Materials;
   readonly #quad: QuadMesh;
   readonly #size = new Vector2(1, 1);
   #look: Look = DEFAULT_LOOK;
   #pixelRatio = 1;
+  /** what the last frame's page was made with; null: its passes are gone */
+  #sheet: NodeMaterial | null = null;
 
   constructor(renderer: WebGPURenderer, options: PipelineOptions) {
     this.#renderer = renderer;
@@ -85,7 +91,7 @@ export class Pipeline {
     this.#grain = makeGrain(renderer);
     const uniforms = { lines: this.#lines, ink: this.#ink, page: this.#page, selection: this.#selection };
     this.#materials = new Materials(uniforms, this.#targets, this.#grain.texture);
-    this.parts = new Parts(this.#materials, this.#fill('toon'));
+    this.parts = new Parts(this.#materials, this.#fill('toon'), new Seam(renderer));
     this.#quad = new QuadMesh(this.#materials.occluder);
     this.parts.colour.add(this.#grid.mesh);
     this.setLook(DEFAULT_LOOK);
@@ -93,6 +99,7 @@ export class Pipeline {
 
   setLook(look: Look): void {
     this.#look = look;
+    this.#forget();
     const ink = displayRgb(lineColour(look.background));
     this.#page.paper.value.set(...displayRgb(PAPER_COLOUR[look.background]));
     this.#page.line.value.set(...ink);
@@ -112,6 +119,7 @@ export class Pipeline {
   /** CSS pixels, and device pixels a CSS pixel. */
   resize(width: number, height: number, pixelRatio: number): void {
     this.#pixelRatio = pixelRatio;
+    this.#forget();
     this.#resizeOutput(width, height);
     const scale = this.#lineScale();
     const { lines, edges, colour, preview, selection } = this.#targets;
@@ -130,6 +138,7 @@ export class Pipeline {
     const { hasPreview, hasSelected } = this.parts;
     const { lines, edges, colour, preview, selection } = this.#targets;
     this.#renderer.info.reset();
+    this.parts.update();
     this.#measure(camera, view);
     this.#page.lined.value = kernel ? 1 : 0;
     if (kernel) this.#draw(this.parts.lines, camera, lines, NO_NORMAL, FAR);
@@ -137,12 +146,30 @@ export class Pipeline {
     if (fills) this.#draw(this.parts.colour, camera, colour, CLEAR, NOTHING);
     if (hasPreview) this.#draw(this.parts.preview, camera, preview, CLEAR, NOTHING);
     if (hasSelected) this.#draw(this.parts.selection, camera, selection, CLEAR, NOTHING);
-    this.#cover(this.#materials.page(kernel !== null, fills, hasPreview, hasSelected), this.#output);
+    this.#sheet = this.#materials.page(kernel !== null, fills, hasPreview, hasSelected);
+    this.#cover(this.#sheet, this.#output);
+    if (this.#fade.share > 0) this.#blend(this.#fade.over, this.#output);
     this.#renderer.setRenderTarget(null);
     ({ drawCalls: this.drawCalls, triangles: this.triangles } = this.#renderer.info.render);
   }
 
+  /** Keeps the picture of the last frame, which then lies over the frames to come; false where there is none. */
+  keep(): boolean {
+    if (!this.#sheet) return false;
+    this.#fade.kept.setSize(this.#size.x, this.#size.y);
+    this.#cover(this.#sheet, this.#fade.kept);
+    this.#renderer.setRenderTarget(null);
+    this.#fade.share = 1;
+    return true;
+  }
+
+  /** How much is seen of the picture that is kept, 0–1; at 0 it goes. */
+  set fade(share: number) {
+    if (this.#fade.share > 0) this.#fade.share = share;
+  }
+
   dispose(): void {
+    this.#fade.dispose();
     this.parts.dispose();
     this.#grid.dispose();
     this.#grain.dispose();
@@ -179,6 +206,18 @@ export class Pipeline {
     this.#renderer.setRenderTarget(target);
     this.#quad.material = material;
     this.#quad.render(this.#renderer);
+  }
+
+  #blend(material: NodeMaterial, target: RenderTarget | null): void {
+    this.#renderer.autoClear = false;
+    this.#cover(material, target);
+    this.#renderer.autoClear = true;
+  }
+
+  /** The last frame cannot be had again, and what was kept is of another look or size. */
+  #forget(): void {
+    this.#sheet = null;
+    this.#fade.share = 0;
   }
 
   /** Depth is measured over the scene's sphere, so that a threshold means the same at every zoom. */

@@ -98,12 +98,12 @@ export function occluderMaterial(): NodeMaterial {
 /** Moves wires towards the viewer, in parts of the depth range, so that their own triangles do not hide them. */
 const WIRE_LIFT = 5e-4;
 
-/** The triangles' edges, faintly, in the colour of the lines. */
-export function wireMaterial(colour: Node<'vec3'>): NodeMaterial {
+/** The triangles' edges, faintly, in the colour of the lines; `made`: three.js makes them of the triangles. */
+export function wireMaterial(colour: Node<'vec3'>, made: boolean): NodeMaterial {
   // The base class lacks `wireframe`, which the renderer asks every material for.
   const material = new MeshBasicNodeMaterial();
   material.name = 'wire';
-  material.wireframe = true;
+  material.wireframe = made;
   material.transparent = true;
   material.depthWrite = false;
   material.blending = CustomBlending;

@@ -3,7 +3,7 @@
  * two faces are equally near, the gradient is that of the first of them.
  */
 import type { FieldValue } from '../skeleton/skeleton.ts';
-import { convexField, requireSize, type ShapeKind, side } from './shape.ts';
+import { convexField, type Facets, requireSize, type ShapeKind, side } from './shape.ts';
 
 export interface BoxShape {
   readonly type: 'box';
@@ -28,14 +28,34 @@ export const box: ShapeKind<BoxShape> = {
       requireSize(size, `half[${i}]`);
     });
     const [hx, hy, hz] = half;
-    return convexField(half, {
+    const field = convexField(half, {
       value: (x, y, z) => boxValue(Math.abs(x) - hx, Math.abs(y) - hy, Math.abs(z) - hz),
       evaluate(x, y, z, out) {
         boxEvaluate(x, y, z, Math.abs(x) - hx, Math.abs(y) - hy, Math.abs(z) - hz, out);
       },
     });
+    return { ...field, facets: boxFacets(half) };
   },
 };
+
+/** The faces: −x, x, −y, y, −z, z. */
+function boxFacets(half: BoxShape['half']): Facets {
+  return {
+    count: 6,
+    nearest(x, y, z) {
+      const [dx, dy, dz] = [Math.abs(x) - half[0], Math.abs(y) - half[1], Math.abs(z) - half[2]];
+      if (dx >= dy && dx >= dz) return x < 0 ? 0 : 1;
+      return dy >= dz ? (y < 0 ? 2 : 3) : z < 0 ? 4 : 5;
+    },
+    evaluate(facet, x, y, z, out) {
+      const axis = facet >> 1;
+      const way = (facet & 1) === 0 ? -1 : 1;
+      out.fill(0, 0, 4);
+      out[0] = half[axis]! - way * (axis === 0 ? x : axis === 1 ? y : z);
+      out[1 + axis] = -way;
+    },
+  };
+}
 
 /** By how far the point lies beyond each pair of faces (negative: inside). */
 export function boxValue(dx: number, dy: number, dz: number): number {

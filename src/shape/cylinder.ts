@@ -1,5 +1,5 @@
 /** Round cylinder about the y axis with flat ends, the distance: a rectangle in the plane of axis and point. */
-import { convexField, requireSize, type ShapeKind, side } from './shape.ts';
+import { convexField, type Facets, requireSize, type ShapeKind, side } from './shape.ts';
 
 export interface Cylinder {
   readonly type: 'cylinder';
@@ -24,7 +24,7 @@ export const cylinder: ShapeKind<Cylinder> = {
   bind({ radius, half }) {
     requireSize(radius, 'radius');
     requireSize(half, 'half');
-    return convexField([radius, half, radius], {
+    const field = convexField([radius, half, radius], {
       value(x, y, z) {
         const across = Math.sqrt(x * x + z * z) - radius;
         const along = Math.abs(y) - half;
@@ -49,5 +49,30 @@ export const cylinder: ShapeKind<Cylinder> = {
         out[3] = -z * inverse;
       },
     });
+    return { ...field, facets: cylinderFacets(radius, half) };
   },
 };
+
+/** The side, the lower and the upper end. */
+function cylinderFacets(radius: number, half: number): Facets {
+  return {
+    count: 3,
+    nearest(x, y, z) {
+      if (Math.sqrt(x * x + z * z) - radius >= Math.abs(y) - half) return 0;
+      return y < 0 ? 1 : 2;
+    },
+    evaluate(facet, x, y, z, out) {
+      out.fill(0, 0, 4);
+      if (facet === 0) {
+        const rho = Math.sqrt(x * x + z * z);
+        out[0] = radius - rho;
+        out[1] = rho > 0 ? -x / rho : 0;
+        out[3] = rho > 0 ? -z / rho : 0;
+        return;
+      }
+      const way = facet === 1 ? -1 : 1;
+      out[0] = half - way * y;
+      out[2] = -way;
+    },
+  };
+}

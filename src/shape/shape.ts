@@ -17,8 +17,19 @@ export interface Field {
   boxAbove(level: number): Box | null;
 }
 
+/** The smooth sides of a shape that has edges. */
+export interface Facets {
+  readonly count: number;
+  /** the one that the nearest place of the surface is on */
+  nearest(x: number, y: number, z: number): number;
+  /** Writes value and gradient of a field that is 0 on that side and on its continuation beyond the edges. */
+  evaluate(facet: number, x: number, y: number, z: number, out: FieldValue): void;
+}
+
 /** A field that knows what it may be within a ball. */
 export interface ShapeField extends Field {
+  /** of shapes with sharp edges */
+  readonly facets?: Facets;
   /** Writes the spread within `radius` mm. */
   spread(x: number, y: number, z: number, radius: number, out: Spread): void;
 }

@@ -6,10 +6,11 @@
 import type { Kernel, KernelParams } from '../kernel/kernel.ts';
 import { pow } from '../math/pow.ts';
 import { checkedParams, checkNumbers, checkPlaces, reach, whole } from './binding.ts';
-import { standInOf } from './sight.ts';
+import type { See } from './sight.ts';
 import type { FieldValue, Skeleton, SkelField } from './skeleton.ts';
 import type { PointSkel } from './skels.ts';
 import { Spreader } from './spread.ts';
+import { addSource } from './taylor.ts';
 
 export const point: Skeleton<PointSkel> = { name: 'point', bind };
 
@@ -25,6 +26,8 @@ function bind({ at, weight }: PointSkel, kernel: Kernel, params: KernelParams): 
   const [ax, ay, az] = at;
   const per = 1 / unit;
   const least = kernel.floor2.line;
+  const { change } = kernel;
+  const [core, n] = change.type === 'relative' ? [change.core, change.power(exponent)] : [1, exponent];
   const extent = {
     dimension: 0,
     size: 1,
@@ -39,13 +42,23 @@ function bind({ at, weight }: PointSkel, kernel: Kernel, params: KernelParams): 
     const dz = (z - az) * per;
     return Math.max(dx * dx + dy * dy + dz * dz, least);
   };
-  const spreader = new Spreader(kernel, exponent, extent, per, (x, y, z, _, sight) => {
+  const see: See = (x, y, z, _, sight) => {
     sight.distance = Math.sqrt(squared(x, y, z));
     sight.isClear = true;
     sight.slack = 0;
+  };
+  const spreader = new Spreader(kernel, exponent, extent, per, see, {
+    count: 1,
+    error: () => 0,
+    add(x, y, z, scale, _, out) {
+      const r2 = squared(x, y, z);
+      const value = scale * factor * kernel.value(r2, exponent);
+      const q = 1 / (core + r2);
+      const first = -0.5 * n * q * value * per * per;
+      addSource(out, value, first, -(0.5 * n + 1) * q * first * per * per, x - ax, y - ay, z - az);
+    },
   });
   const field: SkelField = {
-    standIn: standInOf(kernel),
     box: { min: at, max: at },
     offset: (threshold) => (weight === 0 ? 0 : unit * reach((r2) => spreader.most(r2), threshold, support)),
     value: (x, y, z) => factor * kernel.value(squared(x, y, z), exponent),
@@ -61,6 +74,7 @@ function bind({ at, weight }: PointSkel, kernel: Kernel, params: KernelParams): 
       spreader.add(field, x, y, z, radius, scale, out);
     },
     missed: (x, y, z, radius) => spreader.missed(x, y, z, radius),
+    standIn: (x, y, z, radius, scale, out) => spreader.standIn(field, x, y, z, radius, scale, out),
   };
   return field;
 }

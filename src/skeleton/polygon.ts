@@ -15,7 +15,6 @@ import { boxOf } from './boxOf.ts';
 import { CIRCLE, NEXT, outlineOf, STRIDE } from './outline.ts';
 import { plateDistance } from './plateDistance.ts';
 import { type Region, regionOf } from './region.ts';
-import { standInOf } from './sight.ts';
 import { FieldError, type FieldValue, type Skeleton, type SkelField } from './skeleton.ts';
 import type { PolygonSkel } from './skels.ts';
 import { Spreader } from './spread.ts';
@@ -115,7 +114,6 @@ function bind(skel: PolygonSkel, kernel: Kernel, params: KernelParams): SkelFiel
     sight.slack = isBeyond ? 0 : left(low, far);
   });
   const field: SkelField = {
-    standIn: standInOf(kernel),
     box: boxOf(cornersOf(region)),
     offset: (threshold) => (factor === 0 ? 0 : unit * reach((r2) => spreader.most(r2), threshold, support)),
     value(x, y, z) {
@@ -135,6 +133,7 @@ function bind(skel: PolygonSkel, kernel: Kernel, params: KernelParams): SkelFiel
       spreader.add(field, x, y, z, radius, scale, out);
     },
     missed: (x, y, z, radius) => spreader.missed(x, y, z, radius),
+    standIn: (x, y, z, radius, scale, out) => spreader.standIn(field, x, y, z, radius, scale, out),
   };
   return field;
 }

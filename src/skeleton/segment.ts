@@ -10,7 +10,6 @@ import type { Vec3 } from '../math/vec.ts';
 import { checkedParams, checkNumbers, checkPlaces, reach, SHORTEST, whole } from './binding.ts';
 import { boxOf } from './boxOf.ts';
 import { segmentSpreader } from './segmentSpread.ts';
-import { standInOf } from './sight.ts';
 import {
   type Box,
   FieldError,
@@ -21,6 +20,7 @@ import {
 } from './skeleton.ts';
 import type { SegmentSkel } from './skels.ts';
 import type { Spreader } from './spread.ts';
+import type { Taylor } from './taylor.ts';
 
 export const segment: Skeleton<SegmentSkel> = { name: 'segment', bind };
 
@@ -45,7 +45,7 @@ const NOTHING = {
   add: () => {},
   spread: () => {},
   missed: () => 0,
-  standIn: 'nothing',
+  standIn: () => 0,
 } as const;
 
 /** What a kernel leaves, and the perpendicular from the line to the point: made once, filled again for each evaluation. */
@@ -58,7 +58,6 @@ const perp = new Float64Array(3);
  */
 class SegmentField implements SkelField {
   readonly box: Box;
-  readonly standIn: SkelField['standIn'];
   readonly #kernel: Kernel;
   readonly #line: Kernel['line'];
   readonly #frame = new LineFrame();
@@ -81,7 +80,6 @@ class SegmentField implements SkelField {
     params: KernelParams,
   ) {
     this.box = box;
-    this.standIn = standInOf(kernel);
     this.#kernel = kernel;
     this.#line = kernel.line;
     this.#unit = kernel.unit(params, mm);
@@ -112,8 +110,9 @@ class SegmentField implements SkelField {
     // names that the quick form does not have itself
     return Object.assign(quick, {
       box: this.box,
-      standIn: this.standIn,
       missed: (x: number, y: number, z: number, radius: number) => this.missed(x, y, z, radius),
+      standIn: (x: number, y: number, z: number, radius: number, factor: number, out: Taylor) =>
+        this.#spreader.standIn(quick, x, y, z, radius, factor, out),
       offset: (threshold: number) => this.offset(threshold),
       spread: (x: number, y: number, z: number, radius: number, factor: number, out: Spread) =>
         this.#spreader.add(quick, x, y, z, radius, factor, out),
@@ -128,6 +127,10 @@ class SegmentField implements SkelField {
 
   missed(x: number, y: number, z: number, radius: number): number {
     return this.#spreader.missed(x, y, z, radius);
+  }
+
+  standIn(x: number, y: number, z: number, radius: number, factor: number, out: Taylor): number {
+    return this.#spreader.standIn(this, x, y, z, radius, factor, out);
   }
 
   spread(x: number, y: number, z: number, radius: number, factor: number, out: Spread): void {

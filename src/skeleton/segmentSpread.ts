@@ -3,6 +3,8 @@
  * near to its line that singular kernels are clamped.
  */
 import type { Kernel, LineFrame } from '../kernel/kernel.ts';
+import { GaussSources } from './gaussSources.ts';
+import type { See } from './sight.ts';
 import { Spreader } from './spread.ts';
 import { weightRange } from './weightRange.ts';
 
@@ -25,7 +27,9 @@ export function segmentSpreader(
   const extent = { dimension: 1, size: length, turns: 1, ...weightRange(frame) } as const;
   // twice the distance at which a line is clamped
   const clear = 2 * Math.sqrt(floor2);
-  const spreader = new Spreader(kernel, exponent, extent, per, (x, y, z, radius, sight) => {
+  const { change } = kernel;
+  const sources = change.type === 'relative' ? new GaussSources(change, frame, extent.most, a, u, per) : null;
+  const see: See = (x, y, z, radius, sight) => {
     const vx = (x - a[0]!) * per;
     const vy = (y - a[1]!) * per;
     const vz = (z - a[2]!) * per;
@@ -38,7 +42,8 @@ export function segmentSpreader(
     if (!(sight.distance > DISTANT * length)) return;
     const near = Math.max(sight.distance - radius * per, 0);
     sight.slack = STRAY * (sight.distance / length) * spreader.most(near * near);
-  });
+  };
+  const spreader = new Spreader(kernel, exponent, extent, per, see, sources);
   return spreader;
 }
 

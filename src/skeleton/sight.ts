@@ -1,6 +1,5 @@
 /** What bounds on a skel's field need to know of it: once, and from the centre of a ball. Kernel units. */
 import type { Dimension } from '../kernel/change.ts';
-import type { Kernel } from '../kernel/kernel.ts';
 
 export interface Extent {
   readonly dimension: Dimension;
@@ -24,9 +23,6 @@ export class Sight {
   /** of values: what sums over edges leave of the field elsewhere */
   slack = 0.5;
 }
-
-/** What stands for skels of a kernel from afar. */
-export const standInOf = ({ change }: Kernel) => (change.type === 'relative' ? 'quadratic' : 'nothing');
 
 /** What each kind of skel brings: fills the sight of it from the ball about (x, y, z), mm. */
 export type See = (x: number, y: number, z: number, radius: number, sight: Sight) => void;

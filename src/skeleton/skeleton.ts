@@ -2,8 +2,10 @@
  * A skel as plain data, and what it becomes when a kernel is chosen: a field that adds itself into a sum. The work that
  * does not depend on the point is done once, in `bind`.
  */
+
 import type { Kernel, KernelParams } from '../kernel/kernel.ts';
 import type { Vec3 } from '../math/vec.ts';
+import type { Taylor } from './taylor.ts';
 
 /** [value, ∂x, ∂y, ∂z], mm and 1/mm; mutable: evaluators add to it. */
 export type FieldValue = Float64Array;
@@ -28,10 +30,13 @@ export interface SkelField {
   add(x: number, y: number, z: number, factor: number, out: FieldValue): void;
   /** Adds `factor` times the spread within `radius` mm; exactly nothing beyond a support. */
   spread(x: number, y: number, z: number, radius: number, factor: number, out: Spread): void;
-  /** what may stand for the field from afar: its Taylor polynomial of the second degree, or nothing */
-  readonly standIn: 'quadratic' | 'nothing';
-  /** A bound on what that misses within `radius` mm, without an evaluation; Infinity where none is known, 0 beyond a support. */
+  /** A bound on what the stand-in misses within `radius` mm, without an evaluation; Infinity where none is known, 0 beyond a support. */
   missed(x: number, y: number, z: number, radius: number): number;
+  /**
+   * Adds `factor` times what may stand for the field within `radius` mm of (x, y, z), about that place: a polynomial of the second
+   * degree (points, segments), of the first (polygons), or nothing (kernels that are no powers). Says what it took (work.ts).
+   */
+  standIn(x: number, y: number, z: number, radius: number, factor: number, out: Taylor): number;
   /** of the skel itself, without its field */
   readonly box: Box;
   /** mm from the skel beyond which |value| < `threshold`; 0 when it is nowhere larger (FIELD-NOTES §1, Z(17)–(19) corrected) */

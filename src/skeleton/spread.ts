@@ -9,8 +9,11 @@
 import { type AbsoluteChange, type RelativeChange, Step } from '../kernel/change.ts';
 import type { Kernel } from '../kernel/kernel.ts';
 import { mostOfLine, mostOfPlate } from '../kernel/most.ts';
+import type { Sources } from './gaussSources.ts';
 import { type Extent, type See, Sight } from './sight.ts';
 import type { FieldValue, Spread } from './skeleton.ts';
+import type { Taylor } from './taylor.ts';
+import { POINT, WITH_GRADIENT } from './work.ts';
 
 /** of the largest field there; values are good to 1e-12 of it */
 const MARGIN = 4e-12;
@@ -24,6 +27,9 @@ const CLAMPED = 12;
 /** Boxes from which the field is less than so often the largest in them need no bound for what is nearer, if w is even. */
 const FAR = 3;
 const EVEN = 100;
+
+/** what sources may be off by, in parts of what their polynomial leaves out */
+const SOURCES = 0.1;
 
 interface Adding {
   add(x: number, y: number, z: number, factor: number, out: FieldValue): void;
@@ -43,8 +49,18 @@ export class Spreader {
   readonly #per: number;
   readonly #least: number;
   readonly #see: See;
+  readonly #sources: Sources | null;
 
-  constructor(kernel: Kernel, exponent: number, extent: Extent, per: number, see: See) {
+  /** `sources`: what stands for the skel from afar; skels that have none are replaced by value and gradient. */
+  constructor(
+    kernel: Kernel,
+    exponent: number,
+    extent: Extent,
+    per: number,
+    see: See,
+    sources: Sources | null = null,
+  ) {
+    this.#sources = sources;
     this.#see = see;
     this.#kernel = kernel;
     this.#exponent = exponent;
@@ -83,9 +99,44 @@ export class Spreader {
       return (near < this.#kernel.support ? this.most(near * near) : 0) * (1 + MARGIN) + sight.slack;
     }
     if (!sight.isClear || near < this.#least) return Infinity;
-    const whole = this.most(step.r * step.r) * (1 + MARGIN);
+    const whole = this.most(step.r * step.r);
+    const off = this.#bent(change, whole);
+    return (whole + off) * step.bend + off + MARGIN * whole + sight.slack;
+  }
+
+  /** What `standIn` of SkelField says. */
+  standIn(
+    field: Adding,
+    x: number,
+    y: number,
+    z: number,
+    radius: number,
+    factor: number,
+    out: Taylor,
+  ): number {
+    const { change } = this.#kernel;
+    if (this.#isNothing(x, y, z, radius) || change.type === 'absolute') return 0;
+    const sources = this.#sources;
+    if (!sources) {
+      field.add(x, y, z, factor, out);
+      return WITH_GRADIENT;
+    }
+    this.#bent(change, this.most(step.r * step.r));
+    sources.add(x, y, z, factor, sources.count, out);
+    return sources.count * POINT;
+  }
+
+  /** Sees to `bend` as what the stand-in's polynomial leaves out, and says by how much its sources are off. */
+  #bent(change: RelativeChange, whole: number): number {
+    if (!this.#sources) {
+      change.factors(step);
+      return 0;
+    }
     change.cubic(step);
-    return whole * step.bend + sight.slack;
+    const { near } = step;
+    const { size, most } = this.#extent;
+    const field = most * size * this.#kernel.value(near * near, this.#exponent);
+    return field * this.#sources.error(near, (SOURCES * step.bend * whole) / field);
   }
 
   /** Sees to the step and the sight; whether the ball is beyond the support. */

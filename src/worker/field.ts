@@ -1,14 +1,11 @@
 /**
- * Makes the bodies of fields beside the page. The latest wish wins: work is cut into slices, between which messages are heard,
- * and what is no longer wanted is given up. A coarse draft comes first and is finished as long as anything is wanted, so
- * that a slider that is being dragged is followed.
+ * Makes the bodies of fields beside the page, coarse ones first, each of which stays on the page until the next is whole. The latest
+ * wish wins: work is cut into slices, between which messages are heard, and what is no longer wanted is given up. Only the
+ * coarsest is finished as long as anything is wanted, so that a slider that is being dragged is followed.
  */
 import { bindField } from '../field/bind.ts';
-import { culledSampling } from '../field/culledSampling.ts';
 import type { FromWorker, Make, ToWorker } from '../field/fieldWork.ts';
-import { type Lattice, type LatticeValues, largestDifference } from '../field/lattice.ts';
-import { type Polygonized, polygonizing, type Sampler } from '../field/polygonize.ts';
-import type { TreeField } from '../field/treeField.ts';
+import { type Polygonized, polygonizing } from '../field/polygonize.ts';
 
 /** What this file needs of the scope of a worker, whose types cannot be there beside those of a page. */
 interface Scope {
@@ -20,27 +17,19 @@ interface Scope {
 const SLICE = 12;
 /** cells: 20 000 values, some 20 ms for a dozen skels */
 const DRAFT = 28;
-/** a draft of less than this share of the wanted cells is worth its time */
+/** a draft of less than this share of the cells that come after it is worth its time */
 const COARSER = 0.6;
 
 const scope = self as unknown as Scope;
 let wish: Make | null = null;
 /** of what the page said last: other bodies are not wanted */
 let latest = 0;
-/** of the body under way */
-let current = 0;
 let working = false;
-let arrived: ((values: LatticeValues | null) => void) | null = null;
 
 scope.onmessage = ({ data }) => {
-  if (data.type === 'values') {
-    if (data.id === current) arrived?.(data.values);
-    return;
-  }
+  if (data.type === 'values') return;
   wish = data.type === 'make' ? data : null;
   latest = data.id;
-  // what the page was asked for is for a body that nobody wants any more
-  arrived?.(null);
   if (wish && !working) void work();
 };
 
@@ -49,7 +38,6 @@ async function work(): Promise<void> {
   while (wish) {
     const job: Make = wish;
     wish = null;
-    current = job.id;
     try {
       await make(job);
     } catch (error) {
@@ -59,62 +47,40 @@ async function work(): Promise<void> {
   working = false;
 }
 
-async function make({ id, node, resolution, values }: Make): Promise<void> {
+async function make({ id, node, resolution }: Make): Promise<void> {
   const field = bindField(node);
   const isLatest = () => id === latest;
-  if (values === 'worker' && DRAFT < COARSER * resolution) {
+  for (const [i, cells] of draftsBefore(resolution).entries()) {
+    const wanted = () => isLatest() || (i === 0 && wish !== null);
     const start = performance.now();
-    const draft = await sliced(
-      id,
-      polygonizing(field, DRAFT, culledSampling),
-      () => isLatest() || wish !== null,
-    );
+    const draft = await sliced(id, polygonizing(field, cells), wanted);
     if (draft) hand(id, true, draft, null, start);
     if (!isLatest()) return;
   }
   const start = performance.now();
-  let difference: number | null = null;
-  const sampler = values === 'page' ? fromPage(id, (found) => (difference = found)) : culledSampling;
-  const made = await sliced(id, polygonizing(field, resolution, sampler), isLatest);
-  if (made) hand(id, false, made, difference, start);
+  const made = await sliced(id, polygonizing(field, resolution), isLatest);
+  if (made) hand(id, false, made, null, start);
+}
+
+/** Cells of what is shown on the way: some, then half as many as in the end, a quarter of the work. */
+function draftsBefore(resolution: number): readonly number[] {
+  const half = Math.round(resolution / 2);
+  if (DRAFT < COARSER * half) return [DRAFT, half];
+  return DRAFT < COARSER * resolution ? [DRAFT] : [];
 }
 
 /** Null when it was given up. */
-async function sliced<T>(
-  id: number,
-  work: Generator<number | Promise<unknown>, T>,
-  wanted: () => boolean,
-): Promise<T | null> {
+async function sliced<T>(id: number, work: Generator<number, T>, wanted: () => boolean): Promise<T | null> {
   let until = performance.now() + SLICE;
   for (;;) {
     const { done, value } = work.next();
     if (done) return value;
-    if (typeof value !== 'number') await value;
-    else if (performance.now() < until) continue;
-    else {
-      say({ type: 'progress', id, share: value });
-      await breath();
-    }
+    if (performance.now() < until) continue;
+    say({ type: 'progress', id, share: value });
+    await breath();
     if (!wanted()) return null;
     until = performance.now() + SLICE;
   }
-}
-
-/** The values come from the page's graphics device, or from here where it has none. */
-function fromPage(id: number, differ: (difference: number | null) => void): Sampler<Promise<unknown>> {
-  return function* (field: TreeField, lattice: Lattice) {
-    let values: LatticeValues | null = null;
-    say({ type: 'wanted', id, lattice });
-    yield new Promise<void>((resolve) => {
-      arrived = (found) => {
-        values = found;
-        arrived = null;
-        resolve();
-      };
-    });
-    differ(values && largestDifference(field, lattice, values));
-    return values ?? (yield* culledSampling(field, lattice));
-  };
 }
 
 function hand(

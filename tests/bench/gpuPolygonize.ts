@@ -3,9 +3,7 @@
  * all nodes of the lattice on the same adapter; then all stages of the mesh. Culling and lists are the CPU's and timed apart.
  */
 import { bindField } from '../../src/field/bind.ts';
-import type { Bricks } from '../../src/field/bricks.ts';
 import { type Lattice, latticePoints } from '../../src/field/lattice.ts';
-import type { SkelsNode } from '../../src/field/node.ts';
 import { dispatch } from '../../src/gpu/dispatch.ts';
 import { Buffers } from '../../src/gpu/polygonize/buffers.ts';
 import { encodeField, uploadField } from '../../src/gpu/polygonize/encode.ts';
@@ -13,20 +11,17 @@ import { type PackedBricks, packBricks } from '../../src/gpu/polygonize/lists.ts
 import { gpuPolygonizer } from '../../src/gpu/polygonize/polygonizer.ts';
 import { stagesOn } from '../../src/gpu/polygonize/stages.ts';
 import { programOf } from '../../src/gpu/program.ts';
-import { bricksOf, linearNear } from '../fixtures/bricks.ts';
+import { askedOf, bricksOf } from '../fixtures/bricks.ts';
 import { valueOnly } from './gpuTiming.ts';
-import TREE from './scenes/tree64.json' with { type: 'json' };
+import { sceneNode } from './scenes/index.ts';
 import { rounded } from './timing.ts';
 
 const CELLS = 128;
 const ROUNDS = 5;
 /** of the layers of nodes one in so many is evaluated densely, for all of them take too long on software adapters */
 const LAYERS = 8;
-/** of T, as the error targets allow */
-const NEGLECTED = 3e-3;
 
-// a file holds arrays, whose lengths the compiler does not know
-const NODE = TREE as unknown as SkelsNode;
+const NODE = sceneNode('tree64');
 const LATTICE: Lattice = {
   origin: [-1, -1, -1],
   step: 2 / CELLS,
@@ -35,7 +30,7 @@ const LATTICE: Lattice = {
 
 export async function timePolygonizer(device: GPUDevice): Promise<void> {
   bindField(NODE);
-  const culling = await least(1, async () => bricksOf(NODE, LATTICE, linearNear(NODE, NEGLECTED)));
+  const culling = await least(1, async () => bricksOf(NODE, LATTICE));
   const bricks = culling.result;
   const packing = await least(ROUNDS, async () => packBricks(NODE, bricks));
   const dense = await denseTime(device);
@@ -53,7 +48,7 @@ export async function timePolygonizer(device: GPUDevice): Promise<void> {
       most: rounded(mesh.errors.at(-1)!, 4),
       'CPU: bricks and lists, ms': rounded(culling.ms),
       'packed, ms': rounded(packing.ms),
-      'near a brick': rounded(nearOf(bricks) / bricks.active.length),
+      'near a brick': rounded(askedOf(bricks) / bricks.active.length),
     },
   ]);
 }
@@ -124,14 +119,4 @@ async function least<T>(rounds: number, work: () => Promise<T>): Promise<{ ms: n
     ms = Math.min(ms, performance.now() - start);
   }
   return { ms, result: result as T };
-}
-
-function nearOf({ active }: Bricks): number {
-  let near = 0;
-  for (const brick of active) {
-    brick.near.eachLeaf((leaf) => {
-      near += 'terms' in leaf ? (leaf.terms?.length ?? 0) : 0;
-    });
-  }
-  return near;
 }

@@ -6,12 +6,12 @@ import {
   latticeAround,
   latticeOver,
   latticePoints,
-  MOST_NODES,
   nodeCount,
-  sampling,
+  RESOLUTION,
 } from '../../src/field/lattice.ts';
+import { type Near, Tally } from '../../src/field/near.ts';
 import type { FieldNode } from '../../src/field/node.ts';
-import { PAGE, polygonize, polygonizing } from '../../src/field/polygonize.ts';
+import { PAGE, polygonize } from '../../src/field/polygonize.ts';
 import { topology } from '../../src/mesh/check.ts';
 import { area, bounds, volume } from '../../src/mesh/measure.ts';
 import type { Mesh } from '../../src/mesh/mesh.ts';
@@ -138,8 +138,8 @@ describe('convolution bodies', () => {
       });
       const length = Math.hypot(...slope);
       const away = slope.map((x, k) => x / length - mesh.normals[i + k]!);
-      // of the place the last step started from, up to a hundredth of a cell away
-      expect(Math.hypot(...away)).toBeLessThan(2e-3);
+      // of the place the last step started from, up to a hundredth of a cell away, and without what far skels' polynomials miss
+      expect(Math.hypot(...away)).toBeLessThan(3e-3);
       expect(Math.hypot(...mesh.normals.subarray(i, i + 3))).toBeCloseTo(1, 6);
     }
   });
@@ -154,13 +154,13 @@ describe('convolution bodies', () => {
     },
   );
 
-  test('colours are the field’s', () => {
+  test('colours are the field’s, what is far having those of the middle of its brick', () => {
     const { mesh } = made(body(), 24);
     const paint = new Float64Array(3);
     const field = bindField(body());
     for (let i = 0; i < mesh.positions.length; i += 99) {
       field.colour(mesh.positions[i]!, mesh.positions[i + 1]!, mesh.positions[i + 2]!, paint);
-      for (let k = 0; k < 3; k++) expect(mesh.colours[i + k]).toBeCloseTo(paint[k]!, 5);
+      for (let k = 0; k < 3; k++) expect(Math.abs(mesh.colours[i + k]! - paint[k]!)).toBeLessThan(0.01);
     }
   });
 });
@@ -187,7 +187,7 @@ describe('boxes and lattices', () => {
     const near = (of: readonly number[]) => of.map((x) => expect.closeTo(x, 4));
     expect(min).toEqual(near([-PAGE, -PAGE, -PAGE]));
     expect(max).toEqual(near([PAGE, 0, PAGE]));
-    expect(lattice.step).toBeCloseTo((2 * PAGE) / (cells + (cells % 2)));
+    expect(lattice.step).toBeLessThanOrEqual((2 * PAGE) / cells);
   });
 
   test('an empty field is an empty mesh', () => {
@@ -199,19 +199,35 @@ describe('boxes and lattices', () => {
 
   test('what is no number counts as outside', () => {
     const field = bindField(sphere(10));
-    const holed = {
-      ...field,
-      value: (x: number, y: number, z: number) => (x > 4 ? NaN : field.value(x, y, z)),
+    const holed = (of: Near): Near => {
+      const near: Near = {
+        low: of.low,
+        high: of.high,
+        error: of.error,
+        asked: of.asked,
+        branches: 1,
+        plain: of.plain,
+        value: (x, y, z) => (x > 4 ? NaN : of.value(x, y, z)),
+        evaluate: (...at) => of.evaluate(...at),
+        colour: (...at) => of.colour(...at),
+        branch: () => 0,
+        onBranch: (...at) => of.onBranch(...at),
+        within: (...cube) => holed(of.within(...cube)),
+        corners: (nodes, out) => nodes.exact(near, out),
+        eachLeaf: (visit) => of.eachLeaf(visit),
+        eachDropped: (way, visit) => of.eachDropped(way, visit),
+      };
+      return near;
     };
-    const { mesh } = polygonize(holed, 24, field.box);
+    const near = field.near(new Tally());
+    const { mesh } = polygonize({ ...field, near: () => holed(near) }, 24, field.box);
     expectSolid(mesh);
   });
 
-  test('no lattice is huge, and none is without end', () => {
-    const long = latticeAround({ min: [0, 0, 0], max: [1, 1, 1] }, 1e9);
-    expect(nodeCount(long)).toBeLessThanOrEqual(MOST_NODES);
+  test('no lattice is finer than allowed, and none is without end', () => {
+    expect(latticeAround({ min: [0, 0, 0], max: [1, 1, 1] }, 1e9).step).toBeCloseTo(1 / RESOLUTION.max);
     expect(latticeAround({ min: [0, 0, 0], max: [1, 1, 1] }, NaN).step).toBeGreaterThan(0);
-    expect(nodeCount(latticeOver(PAGE, 1e9))).toBeLessThanOrEqual(MOST_NODES);
+    expect(latticeOver(PAGE, 1e9).counts[0]).toBeLessThan(RESOLUTION.max + 8);
     expect(() => latticeAround({ min: [0, 0, 0], max: [1, Infinity, 1] }, 8)).toThrow(/bounded/);
     expect(() => latticeAround({ min: [NaN, 0, 0], max: [1, 1, 1] }, 8)).toThrow(/bounded/);
   });
@@ -232,17 +248,5 @@ describe('boxes and lattices', () => {
     expect(largestDifference(field, lattice, values)).toBeLessThan(1e-6);
     const wrong = values.map((value) => value + 0.01);
     expect(largestDifference(field, lattice, wrong)).toBeCloseTo(0.01, 4);
-  });
-
-  test('values from elsewhere, a little wrong, leave the mesh on the surface', () => {
-    const field = bindField(body());
-    const noisy = function* (_: unknown, lattice: Parameters<typeof sampling>[1]) {
-      const values = yield* sampling(field, lattice);
-      return Float32Array.from(values, (value, i) => value + 1e-3 * (i % 2 ? 1 : -1));
-    };
-    const work = polygonizing(field, 24, noisy);
-    let step = work.next();
-    while (!step.done) step = work.next();
-    expectSolid(step.value.mesh);
   });
 });

@@ -171,7 +171,7 @@ describeGpu(`cross sections in WGSL are their twins (${COUNT} points, seed ${SEE
         });
       },
       spread: () => {},
-      standIn: 'nothing',
+      standIn: () => 0,
       missed: () => Infinity,
       offset: () => 0,
     };

@@ -1,9 +1,10 @@
 /** The worker as its page hears it: a draft, then the body; the latest wish wins. */
 import { beforeAll, beforeEach, describe, expect, test, vi } from 'vitest';
 import { bindField } from '../../src/field/bind.ts';
-import type { FromWorker, Make, ToWorker } from '../../src/field/fieldWork.ts';
+import type { FromWorker, Made, Make, ToWorker } from '../../src/field/fieldWork.ts';
 import { latticePoints, nodeCount } from '../../src/field/lattice.ts';
 import type { FieldNode } from '../../src/field/node.ts';
+import { random } from '../fixtures/random.ts';
 
 const heard: FromWorker[] = [];
 let onMessage = (_: FromWorker): void => {};
@@ -27,6 +28,8 @@ const wanted = (id: number) =>
     if (last?.type !== 'wanted') throw new Error('not yet');
     return last.lattice;
   });
+/** about a body: there is air around it, and a node more than cells */
+const cellsOf = ({ lattice }: Made) => Math.max(...lattice.counts) - 4;
 const made = (id: number) =>
   vi.waitFor(() => {
     const found = heard.find((message) => message.id === id && message.type === 'made' && !message.draft);
@@ -50,6 +53,56 @@ describe('the worker', () => {
     const [draft] = of(2).filter((message) => message.type === 'made');
     expect(draft).toMatchObject({ draft: true });
     expect(fine.evaluations).toBeLessThan(64 ** 3);
+  });
+
+  test.each([
+    [40, [40]],
+    [64, [28, 64]],
+    [104, [28, 52, 104]],
+  ])('of %d cells comes by way of %j, one after the other', async (resolution, expected) => {
+    const id = 100 + resolution;
+    wish(id, { resolution });
+    const last = await made(id);
+    const all = of(id).filter((message) => message.type === 'made');
+    expect(all.map(({ draft }) => draft)).toEqual(expected.map((cells) => cells !== resolution));
+    // a sphere of radius 10 in a box about it: cells along the side
+    const cells = all.map(cellsOf);
+    expect(cells).toEqual(expected);
+    expect(all.at(-1)).toBe(last);
+  });
+
+  test.each([1, 2, 3, 4])('of many wishes at any moment the last is made, seed %d', async (seed) => {
+    const next = random(seed);
+    const first = 1000 * seed;
+    let id = first;
+    let newest = first;
+    const late: number[] = [];
+    onMessage = (message) => {
+      if (message.type === 'made') {
+        // the coarsest of what went before is welcome while there is nothing newer; all else is the latest wish's only
+        const isCoarsest = message.draft && cellsOf(message) <= 28;
+        if (message.id < newest || (!isCoarsest && message.id !== id)) late.push(message.id);
+        newest = message.id;
+      }
+      const isWhole = message.type === 'made' && !message.draft;
+      if (id < first + 12 && (isWhole || next() < 0.4))
+        wish(++id, { resolution: [24, 60, 104][Math.floor(3 * next())]! });
+    };
+    wish(id, { resolution: 104 });
+    await vi.waitFor(() => expect(heard.at(-1)).toMatchObject({ id: first + 12, draft: false }), 15_000);
+    onMessage = () => {};
+    expect(late).toEqual([]);
+  });
+
+  test('a newer wish at the second draft: of the older nothing more comes', async () => {
+    onMessage = (message) => {
+      if (message.id === 40 && message.type === 'made' && cellsOf(message) > 30) wish(41);
+    };
+    wish(40, { resolution: 150 });
+    await made(41);
+    onMessage = () => {};
+    const ids = heard.filter(({ type }) => type === 'made').map(({ id }) => id);
+    expect(ids).toEqual([40, 40, 41]);
   });
 
   test('gives up what is no longer wanted', async () => {
@@ -104,7 +157,10 @@ describe('the worker', () => {
       (_, i) => exact.value(points[3 * i]!, points[3 * i + 1]!, points[3 * i + 2]!) + 0.01,
     );
     say({ type: 'values', id: 11, values });
-    expect((await made(11)).difference).toBeCloseTo(0.01, 4);
+    const found = await made(11);
+    expect(found.difference).toBeCloseTo(0.01, 4);
+    // the page’s and the worker’s
+    expect(found.evaluations).toBeGreaterThan(values.length);
     wish(12);
     expect((await made(12)).difference).toBeNull();
   });

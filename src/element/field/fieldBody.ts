@@ -4,6 +4,7 @@ import type { Lattice } from '../../field/lattice.ts';
 import type { FieldNode } from '../../field/node.ts';
 import { messageOf } from '../events.ts';
 import { FieldOnGpu } from './fieldOnGpu.ts';
+import { FIELD_WORDS } from './fieldWords.ts';
 
 export class FieldBody {
   /** the last that was made */
@@ -66,7 +67,7 @@ export class FieldBody {
       // under a slider that is being dragged there is no time for more
       else if (data.type === 'made' && data.draft && data.id > this.#refused) this.#show(data);
     };
-    worker.onerror = ({ message }) => this.#refuse(message || 'the worker could not start');
+    worker.onerror = ({ message }) => this.#refuse(message || FIELD_WORDS.noWorker);
     return worker;
   }
 

@@ -1,9 +1,10 @@
 /** The picture of the field page: one painted part, its camera, and frames only when something moved. */
-import type { FieldMesh } from '../../field/latticeMesh.ts';
+import type { FieldMesh } from '../../field/brickMesh.ts';
 import { cos, PI, sin } from '../../math/trig.ts';
 import type { Quat } from '../../math/vec.ts';
 import { bounds } from '../../mesh/measure.ts';
 import type { Box } from '../../mesh/mesh.ts';
+import { type DeviceMesh, isOnDevice } from '../../scene/deviceMesh.ts';
 import type { Look, Scene } from '../../scene/index.ts';
 import { FRONT_VIEW, holds, type Margins } from '../../scene/view.ts';
 import type { View } from '../../stroke/stroke.ts';
@@ -25,15 +26,33 @@ const OUTGROWN = 1.8;
 
 const longest = ({ min, max }: Box): number => Math.max(max[0] - min[0], max[1] - min[1], max[2] - min[2]);
 
+/** null: nothing is to be seen; what is on the device may be empty all the same */
+function boxOf(mesh: FieldMesh | DeviceMesh): Box | null {
+  if (isOnDevice(mesh)) return mesh.box;
+  return mesh.indices.length > 0 ? bounds(mesh) : null;
+}
+
+/** What has to be in sight, x y z each. */
+function pointsOf(mesh: FieldMesh | DeviceMesh): ArrayLike<number> {
+  if (!isOnDevice(mesh)) return mesh.positions;
+  const ends = [mesh.box.min, mesh.box.max];
+  return Array.from({ length: 24 }, (_, i) => ends[(Math.floor(i / 3) >> (i % 3)) & 1]![i % 3]!);
+}
+
 /** Whether a body is to fill the picture: always; where it grows under the controls; where it is of quite another size. */
 export type Fit = 'always' | 'covered' | 'never';
+
+/** ms in which a body goes over into a finer one of itself */
+const FADE = 120;
+/** ms from one frame to the next, for the first one of them */
+const FRAME = 16;
 
 export class FieldStage {
   scene: Scene | null = null;
   /** of the picture, that the controls cover */
   margins = (): Margins => ({ left: 0.1, top: 0.1, right: 0.1, bottom: 0.1 });
   readonly #drawn: () => void;
-  #mesh: FieldMesh | null = null;
+  #mesh: FieldMesh | DeviceMesh | null = null;
   #box: Box | null = null;
   /** mm, of the longest side of what was fitted last */
   #fitted = 1;
@@ -43,6 +62,8 @@ export class FieldStage {
   #fit = true;
   #frame = 0;
   #last = 0;
+  /** from when on, and in which view, the body before is going; null: it is gone */
+  #fading: { from: number | null; readonly view: string } | null = null;
 
   /** `drawn` is called after each frame. */
   constructor(look: Look, drawn: () => void) {
@@ -68,9 +89,12 @@ export class FieldStage {
   }
 
   detach(): void {
+    this.#fading = null;
     cancelAnimationFrame(this.#frame);
     this.#frame = 0;
     this.#view = this.view;
+    // the next scene may be on another device, or on none
+    if (this.#mesh && isOnDevice(this.#mesh)) this.#mesh = null;
     this.scene?.dispose();
     this.scene = null;
   }
@@ -88,12 +112,13 @@ export class FieldStage {
     this.wake();
   }
 
-  /** False where it is there already. */
-  show(mesh: FieldMesh, fit: Fit): boolean {
+  /** False where it is there already. What `refines` the body before it comes gently. */
+  show(mesh: FieldMesh | DeviceMesh, fit: Fit, refines = false): boolean {
     if (mesh === this.#mesh) return false;
+    this.#beginFading(refines);
     const wasFree = fit === 'covered' && this.#isFree;
     this.#mesh = mesh;
-    this.#box = mesh.indices.length > 0 ? bounds(mesh) : null;
+    this.#box = boxOf(mesh);
     this.#fit ||= fit === 'always' || this.#outgrown || (wasFree && !this.#isFree);
     this.#sync();
     return true;
@@ -110,7 +135,7 @@ export class FieldStage {
   /** All of the body is between the controls. */
   get #isFree(): boolean {
     const { width, height } = this.#size;
-    return this.#mesh === null || holds(this.view, this.#mesh.positions, width / height, this.margins());
+    return this.#mesh === null || holds(this.view, pointsOf(this.#mesh), width / height, this.margins());
   }
 
   /** Too large for the picture it was fitted into, or a dot in it. */
@@ -140,13 +165,36 @@ export class FieldStage {
     this.wake();
   }
 
+  /** Not where motion is unwelcome or a frame takes a tenth of a second, and of nothing that was not yet seen. */
+  #beginFading(refines: boolean): void {
+    const { scene } = this;
+    this.#fading = null;
+    if (!scene || !refines || this.#frame || scene.rig.reducedMotion || scene.description?.software) return;
+    if (scene.keep()) this.#fading = { from: null, view: this.#viewKey };
+  }
+
+  /** How much is seen of the body before: a picture, which is of one view only. */
+  #fadingAt(now: number): number {
+    const fading = this.#fading;
+    if (fading?.view !== this.#viewKey) return 0;
+    fading.from ??= now - FRAME;
+    return Math.max(0, 1 - (now - fading.from) / FADE);
+  }
+
+  get #viewKey(): string {
+    return JSON.stringify(this.view);
+  }
+
   #tick(now: number): void {
     this.#frame = 0;
     const seconds = Math.min(0.1, (now - this.#last) / 1000);
     this.#last = now;
     const moving = this.scene?.rig.update(seconds) ?? false;
+    const share = this.#fadingAt(now);
+    if (share === 0) this.#fading = null;
+    this.scene?.fade(share);
     this.scene?.render();
     this.#drawn();
-    if (moving) this.wake();
+    if (moving || share > 0) this.wake();
   }
 }

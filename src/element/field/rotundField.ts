@@ -50,6 +50,8 @@ export class RotundField extends LitElement {
   #writing: ReturnType<typeof setTimeout> | undefined;
   /** the next body's */
   #fit: Fit = 'always';
+  /** of the body in the picture: what comes under the same number is a finer one */
+  #shown = 0;
   /** a passing word of the status line */
   said = '';
   /** what is wrong with the address */
@@ -238,7 +240,9 @@ export class RotundField extends LitElement {
   #heard(): void {
     const { made } = this.body;
     // a draft may lack what is thin: what comes after it is fitted once more
-    if (made && this.stage.show(made.mesh, this.#fit) && !made.draft) this.#fit = 'never';
+    if (made && this.stage.show(made.mesh, this.#fit, made.id === this.#shown) && !made.draft)
+      this.#fit = 'never';
+    this.#shown = made?.id ?? 0;
     this.requestUpdate();
   }
 

@@ -1,5 +1,5 @@
 /** A mesh that lives on the GPU: how large it is only the device knows until it is asked. */
-import type { FieldMesh } from '../../field/latticeMesh.ts';
+import type { FieldMesh } from '../../field/brickMesh.ts';
 import { type Buffers, type readBack, type Slice, USAGE } from './buffers.ts';
 
 /** How much there is room for. */

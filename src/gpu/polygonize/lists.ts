@@ -3,8 +3,9 @@
  * entries begin, its error), then the entries: of every sum, in the order in which the program comes to them, which terms are
  * asked and what stands for the others; a run of dropped sums is one row. Read by shaders/polygonize/nearList.wgsl.
  */
-import type { Brick, Bricks, DroppedLeaf, Far, NearLeaf } from '../../field/bricks.ts';
+import type { Brick, Bricks } from '../../field/bricks.ts';
 import type { Lattice } from '../../field/lattice.ts';
+import type { Near, NearLeaf } from '../../field/near.ts';
 import type { FieldNode } from '../../field/node.ts';
 import { type Program, programOf, TAKE } from '../program.ts';
 import { SUM } from '../structs.ts';
@@ -17,6 +18,16 @@ export const MOST_ALONG = 1 << 10;
 
 const WORDS = 4;
 
+/** What is read of a brick. */
+export interface ListedBrick extends Pick<Brick, 'i' | 'j' | 'k'> {
+  readonly near: Pick<Near, 'error' | 'eachLeaf'>;
+}
+
+/** What is read of bricks. */
+export interface ListedBricks extends Pick<Bricks, 'lattice' | 'grid'> {
+  readonly active: readonly ListedBrick[];
+}
+
 /** Bricks as plain data, which workers can hand over. */
 export interface PackedBricks {
   readonly lattice: Lattice;
@@ -27,16 +38,16 @@ export interface PackedBricks {
 }
 
 /** Bricks of that very tree. */
-export function packBricks(node: FieldNode, { lattice, active, grid }: Bricks): PackedBricks {
+export function packBricks(node: FieldNode, { lattice, active, grid }: ListedBricks): PackedBricks {
   const lists = packLists(programOf(node), active);
   return { lattice, count: active.length, grid: Int32Array.from(grid), lists };
 }
 
 /** RangeError for a brick whose near does not tell of every sum. */
-export function packLists(program: Program, bricks: readonly Brick[]): Uint32Array<ArrayBuffer> {
+export function packLists(program: Program, bricks: readonly ListedBrick[]): Uint32Array<ArrayBuffer> {
   const sums = sumsOf(program);
   const rows = new Rows(bricks.length);
-  const found: (NearLeaf | DroppedLeaf | null)[] = sums.map(() => null);
+  const found: (NearLeaf | null)[] = sums.map(() => null);
   const placeOf = new Map(sums.map(({ leaf }, place) => [leaf, place]));
   for (const [number, { i, j, k, near }] of bricks.entries()) {
     rows.put(number, [i | (j << 10) | (k << 20), rows.end, 0, 0]);
@@ -70,13 +81,13 @@ function sumsOf({ steps, records }: Program): readonly SumLeaf[] {
     });
 }
 
-function addEntries(rows: Rows, sums: readonly SumLeaf[], found: readonly (NearLeaf | DroppedLeaf | null)[]) {
+function addEntries(rows: Rows, sums: readonly SumLeaf[], found: readonly (NearLeaf | null)[]) {
   for (let i = 0; i < sums.length; ) {
     const leaf = found[i];
     if (!leaf) throw new RangeError(`a brick says nothing of leaf ${sums[i]!.leaf}`);
     const kind = kindOf(leaf);
     const first = i++;
-    if ('terms' in leaf) {
+    if (leaf.dropped === null) {
       addListed(rows, sums[first]!, i, leaf);
       continue;
     }
@@ -85,8 +96,8 @@ function addEntries(rows: Rows, sums: readonly SumLeaf[], found: readonly (NearL
   }
 }
 
-function kindOf(leaf: NearLeaf | DroppedLeaf): number {
-  if ('terms' in leaf) return ENTRY.LISTED;
+function kindOf(leaf: NearLeaf): number {
+  if (leaf.dropped === null) return ENTRY.LISTED;
   return leaf.dropped === 'low' ? ENTRY.DROPPED_LOW : ENTRY.DROPPED_HIGH;
 }
 
@@ -95,19 +106,16 @@ const NOTHING = new Float64Array(10);
 function addListed(rows: Rows, { threshold }: SumLeaf, end: number, { terms, far }: NearLeaf): void {
   const numbers = terms ?? [];
   const at = rows.add(5 + Math.ceil(numbers.length / WORDS));
-  const { centre, coefficients, colour }: Far = far ?? {
-    centre: [0, 0, 0],
-    coefficients: NOTHING,
-    colour: NOTHING,
-  };
+  const taylor = far?.taylor ?? NOTHING;
+  const colour = far?.colour ?? NOTHING;
   rows.put(at, [ENTRY.LISTED, end, numbers.length, 0]);
-  rows.putFloat(at, 3, far ? coefficients[0]! : -threshold);
+  rows.putFloat(at, 3, far ? taylor[0]! : -threshold);
   const four = (row: number, values: ArrayLike<number>, first: number, last: number) => {
     for (let lane = 0; lane < 3; lane++) rows.putFloat(at + row, lane, values[first + lane]!);
     rows.putFloat(at + row, 3, last);
   };
-  four(1, centre, 0, colour[0]!);
-  for (let row = 0; row < 3; row++) four(2 + row, coefficients, 1 + 3 * row, colour[1 + row]!);
+  four(1, far?.centre ?? NOTHING, 0, colour[0]!);
+  for (let row = 0; row < 3; row++) four(2 + row, taylor, 1 + 3 * row, colour[1 + row]!);
   rows.put(at + 5, numbers);
 }
 

@@ -2,14 +2,13 @@
  * Bricks of a field tree as a mesh, all of it on the GPU and nothing read back. Twin of field/latticeMesh.ts: the same loops around the same
  * cells. Where a mesh does not fit it stays empty and says so; what it needs is known then, and the next has it.
  */
-import type { Bricks } from '../../field/bricks.ts';
 import type { FieldNode } from '../../field/node.ts';
 import type { Modules } from '../link.ts';
 import { type Program, programOf } from '../program.ts';
 import { Buffers, MOST_BYTES, readBack } from './buffers.ts';
 import { encodeField, encodeMesh, meshBuffers, uploadField } from './encode.ts';
 import { type Capacity, type GpuMesh, gpuMesh, outputs } from './gpuMesh.ts';
-import { type PackedBricks, packBricks } from './lists.ts';
+import { type ListedBricks, type PackedBricks, packBricks } from './lists.ts';
 import { type Stages, stagesOn } from './stages.ts';
 
 export interface GpuPolygonizer {
@@ -17,9 +16,9 @@ export interface GpuPolygonizer {
    * Begins a mesh; resolves when the device has taken the work, not when it is done. FieldError for what has no field, RangeError for
    * what no device is promised to hold.
    */
-  polygonize(node: FieldNode, bricks: Bricks | PackedBricks): Promise<GpuMesh>;
+  polygonize(node: FieldNode, bricks: ListedBricks | PackedBricks): Promise<GpuMesh>;
   /** A mesh that fits: asks the device, and begins again where it did not. */
-  whole(node: FieldNode, bricks: Bricks | PackedBricks): Promise<GpuMesh>;
+  whole(node: FieldNode, bricks: ListedBricks | PackedBricks): Promise<GpuMesh>;
   /** Gives all buffers back, those of meshes that were not destroyed excepted. */
   destroy(): void;
 }
@@ -62,7 +61,7 @@ class Polygonizer implements GpuPolygonizer {
     });
   }
 
-  async polygonize(node: FieldNode, bricks: Bricks | PackedBricks): Promise<GpuMesh> {
+  async polygonize(node: FieldNode, bricks: ListedBricks | PackedBricks): Promise<GpuMesh> {
     const program = programOf(node);
     const packed = 'lists' in bricks ? bricks : packBricks(node, bricks);
     const stages = await this.#told(this.#stages(program.ingredients));
@@ -77,7 +76,7 @@ class Polygonizer implements GpuPolygonizer {
     }
   }
 
-  async whole(node: FieldNode, bricks: Bricks | PackedBricks): Promise<GpuMesh> {
+  async whole(node: FieldNode, bricks: ListedBricks | PackedBricks): Promise<GpuMesh> {
     const packed = 'lists' in bricks ? bricks : packBricks(node, bricks);
     for (;;) {
       const mesh = await this.polygonize(node, packed);

@@ -1,20 +1,21 @@
 /** The life of meshes on the GPU: what does not fit is told and made again, buffers stay, a lost device is named. */
 import { afterAll, expect, it } from 'vitest';
 import { bindField } from '../../../src/field/bind.ts';
+import { latticeAround } from '../../../src/field/lattice.ts';
 import { readBack } from '../../../src/gpu/polygonize/buffers.ts';
 import type { GpuMesh } from '../../../src/gpu/polygonize/gpuMesh.ts';
 import { packBricks } from '../../../src/gpu/polygonize/lists.ts';
 import { gpuPolygonizer } from '../../../src/gpu/polygonize/polygonizer.ts';
 import { sphere } from '../../field/trees.ts';
-import { brickLattice, bricksOf } from '../../fixtures/bricks.ts';
+import { bricksOf } from '../../fixtures/bricks.ts';
 import { withDevice } from '../compute.ts';
 import { closeDawn, describeGpu } from '../dawn.ts';
 
 afterAll(closeDawn);
 
 const BALL = sphere(2);
-const BRICKS = bricksOf(BALL, brickLattice(bindField(BALL).box!, 16));
-const LARGER = bricksOf(sphere(2.5), brickLattice(bindField(sphere(2.5)).box!, 24));
+const BRICKS = bricksOf(BALL, latticeAround(bindField(BALL).box!, 16));
+const LARGER = bricksOf(sphere(2.5), latticeAround(bindField(sphere(2.5)).box!, 24));
 
 /** The five numbers of an indexed draw. */
 async function drawn(device: GPUDevice, { draw }: GpuMesh): Promise<readonly number[]> {

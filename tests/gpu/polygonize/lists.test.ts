@@ -2,11 +2,11 @@
 import { afterAll, describe, expect, it } from 'vitest';
 import { type Affine, IDENTITY, inverted } from '../../../src/field/affine.ts';
 import { bindField } from '../../../src/field/bind.ts';
-import type { Brick, DroppedLeaf, Far, NearLeaf } from '../../../src/field/bricks.ts';
+import type { Far, NearLeaf } from '../../../src/field/near.ts';
 import type { FieldNode } from '../../../src/field/node.ts';
 import { compile, link } from '../../../src/gpu/link.ts';
 import { readBack } from '../../../src/gpu/polygonize/buffers.ts';
-import { packLists } from '../../../src/gpu/polygonize/lists.ts';
+import { type ListedBrick, packLists } from '../../../src/gpu/polygonize/lists.ts';
 import { modulesOf } from '../../../src/gpu/polygonize/stages.ts';
 import { programOf } from '../../../src/gpu/program.ts';
 import { Lot } from '../../field/lot.ts';
@@ -36,19 +36,17 @@ const BODIES: readonly (readonly [leaf: number, matrix: Affine])[] = [
   [4, IDENTITY],
 ];
 
-type Leaf = NearLeaf | DroppedLeaf;
-
-function randomLeaf(lot: Lot, leaf: number): Leaf {
-  if (lot.is(0.3)) return { leaf, dropped: 'low' };
+function randomLeaf(lot: Lot, leaf: number): NearLeaf {
+  if (lot.is(0.3)) return { leaf, dropped: 'low', terms: null, far: null };
   const far: Far = {
     centre: lot.place(),
-    coefficients: Float64Array.from({ length: 10 }, (_, i) => lot.between(-0.2, 0.2) - (i === 0 ? 0.7 : 0)),
+    taylor: Float64Array.from({ length: 10 }, (_, i) => lot.between(-0.2, 0.2) - (i === 0 ? 0.7 : 0)),
     colour: Float64Array.of(0.5, 0.1, 0.2, 0.4),
   };
-  return { leaf, terms: [0, 1, 2].filter(() => lot.is(0.5)), far: lot.is(0.8) ? far : null };
+  return { leaf, dropped: null, terms: [0, 1, 2].filter(() => lot.is(0.5)), far: lot.is(0.8) ? far : null };
 }
 
-const brickOf = (leaves: readonly Leaf[]): Brick => ({
+const brickOf = (leaves: readonly NearLeaf[]): ListedBrick => ({
   i: 1,
   j: 2,
   k: 3,
@@ -57,12 +55,12 @@ const brickOf = (leaves: readonly Leaf[]): Brick => ({
 
 /** In float64, by other means: bodies of the terms that are asked, and the polynomial written out. */
 function truth(
-  leaves: readonly Leaf[],
+  leaves: readonly NearLeaf[],
   p: Point,
 ): { value: number; second: number; colour: readonly number[] } {
   const found = BODIES.map(([leaf, matrix]) => {
     const near = leaves.find((one) => one.leaf === leaf)!;
-    return 'terms' in near ? leafAt(near, local(matrix, p)) : { value: -1e30, colour: [0, 0, 0] };
+    return near.dropped === null ? leafAt(near, local(matrix, p)) : { value: -1e30, colour: [0, 0, 0] };
   });
   found.push({ value: bindField(sphere(0.5)).value(...p), colour: [...bound(sphere(0.5), p)] });
   found.sort((a, b) => b.value - a.value);
@@ -81,7 +79,7 @@ function leafAt({ terms, far }: NearLeaf, [x, y, z]: Point): { value: number; co
   if (far) {
     const [u, v, w] = [x - far.centre[0], y - far.centre[1], z - far.centre[2]];
     const powers = [1, u, v, w, u * u, v * v, w * w, u * v, v * w, w * u];
-    value = powers.reduce((sum, power, i) => sum + power * far.coefficients[i]!, 0);
+    value = powers.reduce((sum, power, i) => sum + power * far.taylor[i]!, 0);
     weights = [...far.colour];
   }
   for (const term of terms!) {
@@ -114,7 +112,11 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
 }
 `;
 
-const onGpu = (node: FieldNode, bricks: readonly Brick[], at: readonly Point[]): Promise<Float32Array> =>
+const onGpu = (
+  node: FieldNode,
+  bricks: readonly ListedBrick[],
+  at: readonly Point[],
+): Promise<Float32Array> =>
   withDevice(async (device) => {
     const program = programOf(node);
     const modules = { ...modulesOf(program.ingredients), test: ENTRY };
@@ -153,7 +155,7 @@ describeGpu('lists of a brick', () => {
   it(`give the field of what they name: value, gradient, colour (${COUNT} bricks, seed 81)`, async () => {
     const lot = new Lot(81);
     const lists = lot.many(COUNT, () => [
-      { leaf: 1, terms: null, far: null },
+      { leaf: 1, dropped: null, terms: null, far: null },
       ...BODIES.map(([leaf]) => randomLeaf(lot, leaf)),
     ]);
     const at = lot.many(COUNT, () => lot.place().map(Math.fround) as unknown as Point);
@@ -183,9 +185,9 @@ describeGpu('lists of a brick', () => {
 
 describeGpu('sums that were dropped', () => {
   const cut: FieldNode = { type: 'intersection', form: 'hard', parts: [PLAIN, body(BONE, 2), PLAIN] };
-  const low = (leaf: number): Leaf => ({ leaf, dropped: 'low' });
-  const high = (leaf: number): Leaf => ({ leaf, dropped: 'high' });
-  const all = (leaf: number): Leaf => ({ leaf, terms: [0, 1, 2], far: null });
+  const low = (leaf: number): NearLeaf => ({ leaf, dropped: 'low', terms: null, far: null });
+  const high = (leaf: number): NearLeaf => ({ leaf, dropped: 'high', terms: null, far: null });
+  const all = (leaf: number): NearLeaf => ({ leaf, dropped: null, terms: [0, 1, 2], far: null });
 
   it('leave the value to the others, or are all that is left', async () => {
     const at: Point = [1, 0.5, 0.25];
@@ -203,8 +205,8 @@ describeGpu('sums that were dropped', () => {
 
 describe('packed lists', () => {
   const program = programOf(TREE);
-  const whole = (leaf: number): Leaf => ({ leaf, terms: [0, 1, 2], far: null });
-  const dropped = (leaf: number): Leaf => ({ leaf, dropped: 'high' });
+  const whole = (leaf: number): NearLeaf => ({ leaf, dropped: null, terms: [0, 1, 2], far: null });
+  const dropped = (leaf: number): NearLeaf => ({ leaf, dropped: 'high', terms: null, far: null });
 
   it('have a row a brick, and a row a run of dropped sums', () => {
     expect(packLists(program, [])).toEqual(new Uint32Array(4));

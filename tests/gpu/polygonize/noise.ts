@@ -1,8 +1,10 @@
 /** A field that is noise at the nodes of the lattice of whole millimetres and linear between them, alike in WGSL and TypeScript: every case of a cube. */
-import { type Bricks, OUTSIDE } from '../../../src/field/bricks.ts';
+import { OUTSIDE } from '../../../src/field/bricks.ts';
 import type { Lattice } from '../../../src/field/lattice.ts';
+import type { Near } from '../../../src/field/near.ts';
 import type { TreeField } from '../../../src/field/treeField.ts';
 import type { Modules } from '../../../src/gpu/link.ts';
+import type { ListedBricks } from '../../../src/gpu/polygonize/lists.ts';
 
 /** In place of the field of the tree. */
 export const noiseModules = (seed: number): Modules => ({
@@ -69,6 +71,7 @@ export function noiseField(seed: number): TreeField {
       return value(x, y, z);
     },
     range: () => {},
+    near: () => ({}) as Near,
     box: null,
     boxAbove: () => null,
   };
@@ -78,16 +81,16 @@ export function noiseField(seed: number): TreeField {
 export function allBricks(
   along: readonly [number, number, number],
   isActive: (i: number, j: number, k: number) => boolean = () => true,
-): Bricks {
+): ListedBricks {
   const [bx, by, bz] = along;
   const lattice: Lattice = {
     origin: [0, 0, 0],
     step: 1,
     counts: [4 * bx + 1, 4 * by + 1, 4 * bz + 1],
   };
-  const near = { error: 0, eachLeaf: (visit: (leaf: never) => void) => visit(ALL as never) };
+  const near: ListedBricks['active'][number]['near'] = { error: 0, eachLeaf: (visit) => visit(ALL) };
   const grid = new Int32Array(bx * by * bz).fill(OUTSIDE);
-  const active: Bricks['active'][number][] = [];
+  const active: ListedBricks['active'][number][] = [];
   for (let number = 0; number < grid.length; number++) {
     const [i, j, k] = [number % bx, Math.floor(number / bx) % by, Math.floor(number / (bx * by))];
     if (!isActive(i, j, k)) continue;
@@ -97,4 +100,4 @@ export function allBricks(
   return { lattice, active, grid };
 }
 
-const ALL = { leaf: 0, terms: null, far: null };
+const ALL = { leaf: 0, dropped: null, terms: null, far: null };

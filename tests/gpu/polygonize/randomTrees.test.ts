@@ -1,8 +1,9 @@
 /** Random trees of everything: meshes from the GPU are closed, and have the vertices of the CPU's where no value is too small to tell its sign. */
 import { afterAll, expect, it } from 'vitest';
 import { bindField } from '../../../src/field/bind.ts';
+import type { FieldMesh } from '../../../src/field/brickMesh.ts';
 import type { Bricks } from '../../../src/field/bricks.ts';
-import type { FieldMesh } from '../../../src/field/latticeMesh.ts';
+import { latticeAround } from '../../../src/field/lattice.ts';
 import type { FieldNode } from '../../../src/field/node.ts';
 import { Buffers, readBack } from '../../../src/gpu/polygonize/buffers.ts';
 import { encodeField, encodeMesh, meshBuffers, uploadField } from '../../../src/gpu/polygonize/encode.ts';
@@ -13,7 +14,7 @@ import { programOf } from '../../../src/gpu/program.ts';
 import { topology } from '../../../src/mesh/check.ts';
 import { Lot } from '../../field/lot.ts';
 import { randomTree } from '../../field/randomTrees.ts';
-import { brickLattice, bricksOf } from '../../fixtures/bricks.ts';
+import { bricksOf } from '../../fixtures/bricks.ts';
 import { withDevice } from '../compute.ts';
 import { closeDawn, describeGpu } from '../dawn.ts';
 import { EVERYTHING } from '../everything.ts';
@@ -43,7 +44,8 @@ function scenes(seed: number): readonly Scene[] {
     const node = randomTree(lot);
     const { box } = bindField(node);
     const size = box ? Math.max(...box.max.map((x, axis) => x - box.min[axis]!)) : 0;
-    if (box && size > 0 && size < 100) found.push({ node, bricks: bricksOf(node, brickLattice(box, CELLS)) });
+    if (box && size > 0 && size < 100)
+      found.push({ node, bricks: bricksOf(node, latticeAround(box, CELLS)) });
   }
   return found;
 }

@@ -1,0 +1,109 @@
+/** A shape as it is within a cube: itself, always asked whole. Faces of those that have edges are its branches. */
+import type { Facets } from '../shape/shape.ts';
+import type { FieldValue } from '../skeleton/skeleton.ts';
+import { WITH_GRADIENT } from '../skeleton/work.ts';
+import type { BrickNodes } from './brickNodes.ts';
+import type { LeafFrame } from './leafFrame.ts';
+import type { Near, NearLeaf, Tally, Way } from './near.ts';
+import type { Colour } from './node.ts';
+import type { TreeField } from './treeField.ts';
+
+/** `field` is the shape where it was put by `frame`, `facets` are those of the shape in its own frame. */
+export function nearShape(
+  field: TreeField,
+  colour: Colour,
+  facets: Facets | null,
+  frame: LeafFrame | null,
+  tally: Tally,
+): Near {
+  return new NearShape({ field, colour, facets, frame, tally, leaf: tally.leaves++ }, -Infinity, Infinity);
+}
+
+interface Whole {
+  readonly field: TreeField;
+  readonly colour: Colour;
+  readonly facets: Facets | null;
+  readonly frame: LeafFrame | null;
+  readonly tally: Tally;
+  readonly leaf: number;
+}
+
+const range = new Float64Array(2);
+
+class NearShape implements Near {
+  readonly low: number;
+  readonly high: number;
+  readonly error = 0;
+  readonly asked = 1;
+  readonly branches: number;
+  readonly #whole: Whole;
+
+  constructor(whole: Whole, low: number, high: number) {
+    this.#whole = whole;
+    this.branches = whole.facets?.count ?? 1;
+    this.low = low;
+    this.high = high;
+  }
+
+  get plain(): Colour {
+    return this.#whole.colour;
+  }
+
+  value(x: number, y: number, z: number): number {
+    this.#whole.tally.work += 1;
+    return this.#whole.field.value(x, y, z);
+  }
+
+  evaluate(x: number, y: number, z: number, out: FieldValue): void {
+    this.#whole.tally.work += WITH_GRADIENT;
+    this.#whole.field.evaluate(x, y, z, out);
+  }
+
+  colour(x: number, y: number, z: number, out: Float64Array): number {
+    this.#whole.tally.work += 1;
+    return this.#whole.field.colour(x, y, z, out);
+  }
+
+  branch(x: number, y: number, z: number): number {
+    const { facets, frame, tally } = this.#whole;
+    if (!facets) return 0;
+    tally.work += 1;
+    if (!frame) return facets.nearest(x, y, z);
+    frame.enter(x, y, z);
+    return facets.nearest(frame.x, frame.y, frame.z);
+  }
+
+  onBranch(branch: number, x: number, y: number, z: number, out: FieldValue): void {
+    const { facets, frame, tally } = this.#whole;
+    if (!facets) {
+      this.evaluate(x, y, z, out);
+      return;
+    }
+    tally.work += WITH_GRADIENT;
+    if (!frame) {
+      facets.evaluate(branch, x, y, z, out);
+      return;
+    }
+    frame.enter(x, y, z);
+    facets.evaluate(branch, frame.x, frame.y, frame.z, out);
+    frame.leave(out);
+  }
+
+  within(x: number, y: number, z: number, half: number): Near {
+    this.#whole.tally.work += WITH_GRADIENT;
+    this.#whole.field.range(x, y, z, half, range);
+    return new NearShape(this.#whole, range[0]!, range[1]!);
+  }
+
+  corners(nodes: BrickNodes, out: Float64Array): number {
+    return nodes.exact(this, out);
+  }
+
+  eachLeaf(visit: (leaf: NearLeaf) => void): void {
+    visit({ leaf: this.#whole.leaf, dropped: null, terms: null, far: null });
+  }
+
+  eachDropped(way: Way, visit: (leaf: NearLeaf) => void): void {
+    visit({ leaf: this.#whole.leaf, dropped: way, terms: null, far: null });
+  }
+}

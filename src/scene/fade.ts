@@ -1,0 +1,55 @@
+/**
+ * From one body to the next (Kravtsov et al. §1.3.2: alpha blending between the extracted meshes). The picture of the one is kept and
+ * laid over those of the other, ever lighter. Departure: pictures are blended, not meshes: nothing has to be sorted, no line is
+ * drawn twice, and every style fades alike, as long as the camera rests.
+ */
+import { screenUV, texture, uniform, vec4 } from 'three/tsl';
+import {
+  CustomBlending,
+  type Node,
+  NodeMaterial,
+  OneFactor,
+  OneMinusSrcAlphaFactor,
+  type RenderTarget,
+} from 'three/webgpu';
+import { makeOutput } from './targets.ts';
+
+export class Fade {
+  /** the picture that is kept; takes no memory worth naming while there is none */
+  readonly kept: RenderTarget = makeOutput();
+  readonly over: NodeMaterial;
+  readonly #opacity = uniform(0);
+
+  constructor() {
+    this.over = overMaterial(this.kept, this.#opacity);
+  }
+
+  /** Of the picture that is kept, 0–1. */
+  get share(): number {
+    return this.#opacity.value;
+  }
+
+  set share(share: number) {
+    this.#opacity.value = Math.min(Math.max(share, 0), 1);
+    if (this.share === 0) this.kept.setSize(1, 1);
+  }
+
+  dispose(): void {
+    this.kept.dispose();
+    this.over.dispose();
+  }
+}
+
+function overMaterial(kept: RenderTarget, opacity: Node<'float'>): NodeMaterial {
+  const material = new NodeMaterial();
+  material.name = 'the picture before';
+  material.depthTest = false;
+  material.depthWrite = false;
+  material.transparent = true;
+  // premultiplied
+  material.blending = CustomBlending;
+  material.blendSrc = OneFactor;
+  material.blendDst = OneMinusSrcAlphaFactor;
+  material.fragmentNode = vec4(texture(kept.texture, screenUV).xyz.mul(opacity), opacity);
+  return material;
+}
