@@ -9,7 +9,7 @@
 @group(0) @binding(2) var<storage, read> cells: array<vec2u>;
 // as number.wgsl left them; the first vertex becomes its number in the mesh
 @group(0) @binding(3) var<storage, read_write> crossings: array<u32>;
-// of each vertex: 384 · brick + 3 · node + axis of its edge, or 375 where it is in the middle of a loop
+// of each vertex: 512 · brick + 3 · node + axis of its edge, or + 384 + cell where it is in the middle of a loop
 @group(0) @binding(4) var<storage, read_write> vertex_edges: array<u32>;
 // of each crossed cell: 64 · brick + cell, row of the loop table, first triangle, first vertex in the middle
 @group(0) @binding(5) var<storage, read_write> crossed_cells: array<vec4u>;
@@ -30,7 +30,7 @@ fn compact(
   crossings[128u * brick + thread] = (vertex << 3u) | (crossing & 7u);
   for (var axis = 0u; axis < 3u; axis++) {
     if (((crossing >> axis) & 1u) == 1u) {
-      vertex_edges[vertex] = 384u * brick + 3u * thread + axis;
+      vertex_edges[vertex] = 512u * brick + 3u * thread + axis;
       vertex++;
     }
   }
@@ -50,6 +50,6 @@ fn list_cell(number: u32, first: vec4u) {
   let middle = state.counts.x + first.w + (cell.y >> 16u);
   crossed_cells[first.y + (cell.x >> 16u)] = vec4u(number, row, triangle, middle);
   for (var i = 0u; i < loop_middles(loop_table[row]); i++) {
-    vertex_edges[middle + i] = 384u * (number / 64u) + 375u;
+    vertex_edges[middle + i] = 512u * (number / 64u) + 384u + number % 64u;
   }
 }

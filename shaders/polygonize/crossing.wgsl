@@ -14,17 +14,17 @@ const CLOSE = 0.02;
 // parts of the edge that are kept from its ends: edges that meet at a node must not put their vertices into one place
 const ENDS = 1e-3;
 
-// in place of the values at the ends of what is no edge
-const UNKNOWN = 1e30;
-
-// From `start` on, within `along`; positive at one end.
+// From `start` by way of `middle` to `end`: straight for edges of the lattice.
 struct Search {
   start: vec3f,
-  along: vec3f,
-  // values
+  middle: vec3f,
+  end: vec3f,
+  // values, of which one is positive
   ends: vec2f,
   // where the field has no slope, or is cut off
   normal: vec3f,
+  // where to begin, of 0 to 1
+  first: f32,
 }
 
 struct Crossing {
@@ -41,25 +41,24 @@ fn is_cut(ends: vec2f) -> bool {
 
 // `list`: where the brick's entries begin
 fn surface_crossing(list: u32, search: Search) -> Crossing {
-  let along = search.along;
   let ends = search.ends;
   let least = min(abs(ends.x), abs(ends.y));
   var range = vec2f(0.0, 1.0);
-  var t = select(kept(ends.x / (ends.x - ends.y)), 0.5, is_cut(ends));
+  var t = search.first;
   var normal = search.normal;
   var is_found = is_cut(ends);
   // the last round is for the colour: one call, for compilers put the whole field in the place of each
   for (var round = 0u; round <= STEPS; round++) {
     let is_last = is_found || round == STEPS;
-    if (is_last && !is_found && ends.x == UNKNOWN) {
-      t = 0.5;
-    }
-    let field = near_field(list, search.start + t * along, is_last);
+    let field = near_field(list, search_place(search, t), is_last);
     if (is_last) {
-      return Crossing(search.start + t * along, normal, field.yzw);
+      return Crossing(search_place(search, t), normal, field.yzw);
     }
     normal = outward(field.yzw, normal);
-    range = select(vec2f(range.x, t), vec2f(t, range.y), (field.x > 0.0) == (ends.x > 0.0));
+    let is_before = (field.x > 0.0) == (ends.x > 0.0);
+    range = select(vec2f(range.x, t), vec2f(t, range.y), is_before);
+    let is_late = t > 0.5 || (t == 0.5 && is_before);
+    let along = 2.0 * select(search.middle - search.start, search.end - search.middle, is_late);
     let guess = t - field.x / dot(field.yzw, along);
     // a short step from a large value is one down the steep side of a singular kernel
     is_found = abs(guess - t) < CLOSE && abs(field.x) <= least;
@@ -67,7 +66,14 @@ fn surface_crossing(list: u32, search: Search) -> Crossing {
     let is_within = is_found || (guess > range.x && guess < range.y && is_next);
     t = kept(select(0.5 * (range.x + range.y), guess, is_within));
   }
-  return Crossing(search.start + t * along, normal, vec3f(0.0));
+  return Crossing(search.middle, normal, vec3f(0.0));
+}
+
+fn search_place(search: Search, t: f32) -> vec3f {
+  if (t < 0.5) {
+    return search.middle + (1.0 - 2.0 * t) * (search.start - search.middle);
+  }
+  return search.middle + (2.0 * t - 1.0) * (search.end - search.middle);
 }
 
 fn kept(t: f32) -> f32 {

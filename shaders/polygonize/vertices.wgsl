@@ -1,7 +1,7 @@
 #import polygonize/crossing
 
 // A vertex on each crossed edge, on the surface of the field as it is in the brick that owns the edge. Then, when emit.wgsl has put
-// vertices in the middle of loops, those too: along the mean of their normals.
+// vertices in the middle of loops, those too: from there towards corners of the cell, of which some are on the other side.
 
 @group(0) @binding(1) var<storage, read> values: array<f32>;
 @group(0) @binding(2) var<storage, read> vertex_edges: array<u32>;
@@ -10,9 +10,6 @@
 @group(0) @binding(5) var<storage, read_write> colours: array<vec4f>;
 // first vertex, and how many
 @group(0) @binding(10) var<uniform> span: vec4u;
-
-// steps to both sides in which the surface is looked for from the middle of a loop at most
-const AROUND = 0.25;
 
 @compute @workgroup_size(64)
 fn vertices(
@@ -25,15 +22,17 @@ fn vertices(
     return;
   }
   let vertex = span.x + item;
-  let edge = vertex_edges[vertex] % 384u;
-  let brick = vertex_edges[vertex] / 384u;
+  let edge = vertex_edges[vertex] % 512u;
+  let brick = vertex_edges[vertex] / 512u;
   let header = lists[brick];
+  let corner = 4u * brick_place(header);
   var search: Search;
-  if (edge == 375u) {
-    search = across_middle(positions[vertex].xyz, normals[vertex].xyz);
+  if (edge >= 384u) {
+    search = through_middle(brick, corner, cell_place(edge - 384u), positions[vertex].xyz);
+    search.normal = normals[vertex].xyz;
   } else {
-    let a = 4u * brick_place(header) + node_place(edge / 3u);
     let at = 128u * brick + edge / 3u;
+    let a = corner + node_place(edge / 3u);
     let ends = vec2f(values[at], values[at + vec3u(1u, 5u, 25u)[edge % 3u]]);
     search = along_edge(a, a + unit_along(edge % 3u), ends);
   }
@@ -43,18 +42,31 @@ fn vertices(
   colours[vertex] = vec4f(point.colour, 1.0);
 }
 
-// within the cell, and not in its faces
-fn across_middle(middle: vec3f, normal: vec3f) -> Search {
-  let place = fract((middle - lattice.origin) / lattice.step);
-  let room = max(min(place, 1.0 - place) - 0.01, vec3f(0.0)) / max(abs(normal), vec3f(1e-6));
-  let reach = min(min(room.x, room.y), min(room.z, AROUND)) * lattice.step * normal;
-  return Search(middle - reach, 2.0 * reach, vec2f(UNKNOWN, -UNKNOWN), normal);
+// From the corner that is deepest inside to the middle and on to the corner that is farthest outside.
+fn through_middle(brick: u32, corner: vec3u, place: vec3u, middle: vec3f) -> Search {
+  var search = Search(middle, middle, middle, vec2f(0.0), vec3f(0.0), 0.5);
+  for (var i = 0u; i < 8u; i++) {
+    let p = place + ((vec3u(i) >> vec3u(0u, 1u, 2u)) & vec3u(1u));
+    let value = values[128u * brick + dot(p, vec3u(1u, 5u, 25u))];
+    if (is_inside(corner + p, value) && value > search.ends.x) {
+      search.ends.x = value;
+      search.start = node_position(corner + p);
+    } else if (value < search.ends.y) {
+      search.ends.y = value;
+      search.end = node_position(corner + p);
+    }
+  }
+  return search;
 }
 
 fn along_edge(a: vec3u, b: vec3u, ends: vec2f) -> Search {
-  var normal = vec3f(b - a) * select(1.0, -1.0, ends.y > 0.0);
+  let normal = vec3f(b - a) * select(1.0, -1.0, ends.y > 0.0);
+  let start = node_position(a);
+  let middle = start + 0.5 * lattice.step * vec3f(b - a);
+  var search = Search(start, middle, node_position(b), ends, normal, kept(ends.x / (ends.x - ends.y)));
   if (is_cut(ends)) {
-    normal = normalize(vec3f(node_side(a) + node_side(b)));
+    search.normal = normalize(vec3f(node_side(a) + node_side(b)));
+    search.first = 0.5;
   }
-  return Search(node_position(a), lattice.step * vec3f(b - a), ends, normal);
+  return search;
 }
