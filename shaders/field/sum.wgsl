@@ -1,3 +1,4 @@
+#import list
 #import term
 #import record/sum
 
@@ -7,11 +8,12 @@ const UNSEEN = 1e-3;
 // Σ λ F − T: value and gradient, or value and the mean colour of what adds to it. Twin of src/field/skelSum.ts.
 fn sum_field(at: u32, p: vec3f, colours: bool) -> vec4f {
   let sum = load_sum(at);
-  var total = vec4f(-sum.threshold, 0.0, 0.0, 0.0);
-  var colour = sum.colour;
-  var weight = 0.0;
-  for (var i = sum.first; i < sum.end; i += TERM_STRIDE) {
-    let term = load_term(i);
+  let list = list_of(sum, p);
+  var total = list.rest;
+  var colour = list.colour;
+  var weight = list.weight;
+  for (var i = 0u; i < list.count; i++) {
+    let term = load_term(sum.first + list_term(list, i) * TERM_STRIDE);
     let field = term.factor * term_field(term, p);
     total += field;
     let seen = field.x - UNSEEN * sum.threshold;

@@ -16,14 +16,16 @@ export const MOST_CROSSINGS = 12;
 export const edgeOf = (corner: number, axis: number): number => corner + 8 * axis;
 
 /** Corners of each face, counter-clockwise from outside, and the edges from each to the next. */
-const FACES = [
-  [0, 4, 6, 2],
-  [1, 3, 7, 5],
-  [0, 1, 5, 4],
-  [2, 6, 7, 3],
-  [0, 2, 3, 1],
-  [4, 5, 7, 6],
-].map((corners) => ({
+export const FACES = (
+  [
+    [0, 4, 6, 2],
+    [1, 3, 7, 5],
+    [0, 1, 5, 4],
+    [2, 6, 7, 3],
+    [0, 2, 3, 1],
+    [4, 5, 7, 6],
+  ] as const
+).map((corners) => ({
   corners,
   edges: corners.map((corner, i) => {
     const step = corner ^ corners[(i + 1) % 4]!;
@@ -31,14 +33,30 @@ const FACES = [
   }),
 }));
 
+type Face = (typeof FACES)[number];
+
+/** Whether all edges of a face are crossed: its corners are inside and outside in turn. */
+export function isOpen({ corners: [a, b, c, d] }: Face, mask: number): boolean {
+  const at = (corner: number) => (mask >> corner) & 1;
+  return at(a) === at(c) && at(b) === at(d) && at(a) !== at(b);
+}
+
+/** Of the faces that the mask leaves open those that the values join, as bits. */
+function joinedFaces(mask: number, values: ArrayLike<number>): number {
+  let joined = 0;
+  for (let number = 0; number < 6; number++) {
+    const face = FACES[number]!;
+    if (!isOpen(face, mask)) continue;
+    const [a, b, c, d] = face.corners;
+    const [ac, bd] = [values[a]! * values[c]!, values[b]! * values[d]!];
+    if ((mask >> a) & 1 ? ac > bd : bd > ac) joined |= 1 << number;
+  }
+  return joined;
+}
+
 /** Whether a cube with these corners inside has a face of which all four edges are crossed. */
 export const AMBIGUOUS = Uint8Array.from({ length: 256 }, (_, mask) =>
-  FACES.some(({ corners: [a, b, c, d] }) => {
-    const inside = (corner: number | undefined) => (mask >> corner!) & 1;
-    return inside(a) === inside(c) && inside(b) === inside(d) && inside(a) !== inside(b);
-  })
-    ? 1
-    : 0,
+  FACES.some((face) => isOpen(face, mask)) ? 1 : 0,
 );
 
 export class CubeLoops {
@@ -56,10 +74,15 @@ export class CubeLoops {
 
   /** `mask`: the corners that are inside (value above 0); `values`: of the eight corners. */
   trace(mask: number, values: ArrayLike<number>): void {
+    this.follow(mask, joinedFaces(mask, values));
+  }
+
+  /** `joined`: a bit for each face of which the corners inside hang together where all its edges are crossed. */
+  follow(mask: number, joined: number): void {
     this.count = 0;
     this.#ambiguous = 0;
     this.#next.fill(-1);
-    for (const face of FACES) this.#join(face, mask, values);
+    for (let face = 0; face < 6; face++) this.#join(FACES[face]!, mask, (joined >> face) & 1);
     let end = 0;
     for (let edge = 0; edge < 24; edge++) {
       if (this.#next[edge]! < 0) continue;
@@ -76,7 +99,7 @@ export class CubeLoops {
   }
 
   /** From where the boundary of the face comes to the inside to where it leaves it: seen from outside of the cube, that is on the right. */
-  #join({ corners, edges }: (typeof FACES)[number], mask: number, values: ArrayLike<number>): void {
+  #join({ corners, edges }: Face, mask: number, joined: number): void {
     const leave = this.#leave;
     const enter = this.#enter;
     let [leaving, entering] = [0, 0];
@@ -92,9 +115,7 @@ export class CubeLoops {
       return;
     }
     this.#ambiguous++;
-    const [a, b, c, d] = corners.map((corner) => values[corner]!) as [number, number, number, number];
     const isFirstInside = ((mask >> corners[0]!) & 1) === 1;
-    const joined = isFirstInside ? a * c > b * d : b * d > a * c;
     // in order around the face: with the first corner inside it is left before it is entered
     const own = isFirstInside ? 1 : 0;
     const other = 1 - own;

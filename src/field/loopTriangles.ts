@@ -3,6 +3,9 @@
  * chord might lie in a face of the cube and be a chord of the neighbour's too.
  */
 
+/** What is shorter by rounding alone is not: symmetric bodies have ties, and float32 is to find the same corners. */
+const SHORTER = 0.999;
+
 type Triangle = (a: number, b: number, c: number) => void;
 
 /** `positions`: x, y, z of each vertex, as they were added. */
@@ -28,7 +31,7 @@ function shortestFan(ring: readonly number[], positions: readonly number[]): num
     for (let i = 2; i < ring.length - 1; i++) {
       sum += squared(ring[first]!, ring[(first + i) % ring.length]!, positions);
     }
-    if (sum < least) [best, least] = [first, sum];
+    if (sum < SHORTER * least) [best, least] = [first, sum];
   }
   return best;
 }

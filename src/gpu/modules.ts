@@ -24,13 +24,16 @@ export function fieldModules(ingredients: Ingredients): Modules {
     section: sectionModule(namesOf(ingredients, 'sections')),
     // a field without cross sections does not pay for them
     term: `#import field/${ingredients.sections.size > 0 ? 'warpedTerm' : 'plainTerm'}\n`,
+    // all terms of a sum, always; who knows which ones matter takes another
+    list: '#import field/wholeList\n',
     shape: shapeModule(namesOf(ingredients, 'shapes')),
     operation: operationModule(namesOf(ingredients, 'operations')),
     program: [...constants('TAKE_', TAKE), ...constants('ROLE_', ROLE), ...constants('', { STACK })].join(''),
   };
 }
 
-const constants = (prefix: string, values: Readonly<Record<string, number>>): string[] =>
+/** `const TAKE_SUM = 0u;` and so on. */
+export const constants = (prefix: string, values: Readonly<Record<string, number>>): string[] =>
   Object.entries(values).map(([name, value]) => `const ${prefix}${name} = ${value}u;\n`);
 
 /** (node, weight) for ∫ from 0 to 1. */

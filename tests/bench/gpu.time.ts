@@ -1,6 +1,7 @@
 /** Fields on the GPU, by Dawn in Node on whatever adapter it finds; says which. */
 import { create } from 'webgpu';
 import { openDevice } from '../../src/gpu/device.ts';
+import { timePolygonizer } from './gpuPolygonize.ts';
 import { timePolygons } from './gpuPolygons.ts';
 import { timeSkels } from './gpuSkels.ts';
 import { timeTrees } from './gpuTrees.ts';
@@ -15,6 +16,7 @@ if ('reason' in opened) {
   await timeSkels(opened.device);
   await timePolygons(opened.device);
   await timeTrees(opened.device);
+  await timePolygonizer(opened.device);
   opened.release();
 }
 dawn.gpu = null;

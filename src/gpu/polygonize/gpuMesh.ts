@@ -1,0 +1,109 @@
+/** A mesh that lives on the GPU: how large it is only the device knows until it is asked. */
+import type { FieldMesh } from '../../field/brickMesh.ts';
+import { type Buffers, type readBack, type Slice, USAGE } from './buffers.ts';
+
+/** How much there is room for. */
+export interface Capacity {
+  readonly vertices: number;
+  readonly triangles: number;
+}
+
+export interface GpuMesh {
+  /** vec4f a vertex: x, y, z in mm, 1 */
+  readonly positions: GPUBuffer;
+  /** vec4f a vertex: unit, outward, 0 */
+  readonly normals: GPUBuffer;
+  /** vec4f a vertex: red, green, blue (0–1, linear), 1 */
+  readonly colours: GPUBuffer;
+  /** u32, three a triangle, counter-clockwise from outside */
+  readonly indices: GPUBuffer;
+  /** for drawIndexedIndirect; nothing is drawn of what did not fit */
+  readonly draw: GPUBuffer;
+  /** what the buffers hold at most */
+  readonly room: Capacity;
+  /** Whether there was not room enough: the mesh is empty then. */
+  overflowed(): Promise<boolean>;
+  /** How large it is, or would have to be. */
+  needed(): Promise<Capacity>;
+  /** All of it. Rejects for one that overflowed. */
+  read(): Promise<FieldMesh>;
+  /** Gives the buffers to meshes that come later. */
+  destroy(): void;
+}
+
+/** Where the stages write it. */
+export interface Outputs {
+  readonly positions: Slice;
+  readonly normals: Slice;
+  readonly colours: Slice;
+  readonly indices: Slice;
+  readonly draw: Slice;
+  /** as State in shaders/polygonize/state.wgsl */
+  readonly state: Slice;
+}
+
+export function outputs(buffers: Buffers, { vertices, triangles }: Capacity): Outputs {
+  const shared = USAGE.storage | USAGE.copySource | USAGE.copyTarget;
+  const wide = (name: string) => buffers.get(name, 16 * vertices, shared | USAGE.vertex);
+  return {
+    positions: wide('positions'),
+    normals: wide('normals'),
+    colours: wide('colours'),
+    indices: buffers.get('indices', 12 * triangles, shared | USAGE.index),
+    draw: buffers.get('draw', 20, shared | USAGE.indirect),
+    state: buffers.get('state', 32, shared | USAGE.uniform),
+  };
+}
+
+/** `read`: bytes of buffers, or why there are none. */
+export function gpuMesh(
+  { positions, normals, colours, indices, draw, state }: Outputs,
+  read: (slices: readonly Slice[]) => ReturnType<typeof readBack>,
+  giveBack: () => void,
+): GpuMesh {
+  let isGone = false;
+  const found = async () => {
+    if (isGone) throw new Error('the mesh was given back');
+    const [bytes] = await read([state]);
+    const [edges, , triangles, middles, overflow] = new Uint32Array(bytes!);
+    return { vertices: edges! + middles!, triangles: triangles!, overflowed: overflow !== 0 };
+  };
+  return {
+    positions: positions.buffer,
+    normals: normals.buffer,
+    colours: colours.buffer,
+    indices: indices.buffer,
+    draw: draw.buffer,
+    room: { vertices: Math.floor(positions.size / 16), triangles: Math.floor(indices.size / 12) },
+    overflowed: async () => (await found()).overflowed,
+    needed: found,
+    async read() {
+      const { vertices, triangles, overflowed } = await found();
+      if (overflowed) throw new Error('the mesh did not fit into its buffers');
+      const wide = [positions, normals, colours].map((slice) => ({ ...slice, size: 16 * vertices }));
+      const bytes = await read([...wide, { ...indices, size: 12 * triangles }]);
+      const [at, normal, colour] = bytes.slice(0, 3).map((four) => threeOfFour(new Float32Array(four)));
+      return {
+        positions: at!,
+        normals: normal!,
+        colours: colour!,
+        uvs: new Float32Array(2 * vertices),
+        indices: new Uint32Array(bytes[3]!),
+      };
+    },
+    destroy() {
+      if (!isGone) giveBack();
+      isGone = true;
+    },
+  };
+}
+
+function threeOfFour(wide: Float32Array): Float32Array {
+  const narrow = new Float32Array((wide.length / 4) * 3);
+  for (let i = 0, k = 0; i < wide.length; i += 4, k += 3) {
+    narrow[k] = wide[i]!;
+    narrow[k + 1] = wide[i + 1]!;
+    narrow[k + 2] = wide[i + 2]!;
+  }
+  return narrow;
+}

@@ -1,0 +1,155 @@
+/**
+ * Bricks of a field tree as a mesh, all of it on the GPU and nothing read back. Twin of field/latticeMesh.ts: the same loops around the same
+ * cells. Where a mesh does not fit it stays empty and says so; what it needs is known then, and the next has it.
+ */
+import type { FieldNode } from '../../field/node.ts';
+import type { Modules } from '../link.ts';
+import { type Program, programOf } from '../program.ts';
+import { Buffers, MOST_BYTES, readBack } from './buffers.ts';
+import { encodeField, encodeMesh, meshBuffers, uploadField } from './encode.ts';
+import { type Capacity, type GpuMesh, gpuMesh, outputs } from './gpuMesh.ts';
+import { type ListedBricks, type PackedBricks, packBricks } from './lists.ts';
+import { type Stages, stagesOn } from './stages.ts';
+
+export interface GpuPolygonizer {
+  /**
+   * Begins a mesh; resolves when the device has taken the work, not when it is done. FieldError for what has no field, RangeError for
+   * what no device is promised to hold.
+   */
+  polygonize(node: FieldNode, bricks: ListedBricks | PackedBricks): Promise<GpuMesh>;
+  /** A mesh that fits: asks the device, and begins again where it did not. */
+  whole(node: FieldNode, bricks: ListedBricks | PackedBricks): Promise<GpuMesh>;
+  /** Gives all buffers back, those of meshes that were not destroyed excepted. */
+  destroy(): void;
+}
+
+/** A brick that the surface crosses has some 40 vertices; two of three active ones are crossed. */
+const VERTICES_A_BRICK = 40;
+const FEWEST = 64;
+/** what every device binds of cells and indices */
+const MOST: Capacity = { vertices: 0.75 * (MOST_BYTES / 16), triangles: Math.floor(MOST_BYTES / 12) };
+
+/** `capacity`: in place of what is guessed of the first mesh. `changed`: WGSL modules that stand in for others. */
+export function gpuPolygonizer(
+  device: GPUDevice,
+  capacity: Capacity | null = null,
+  changed: Modules | null = null,
+): GpuPolygonizer {
+  return new Polygonizer(device, capacity, changed);
+}
+
+class Polygonizer implements GpuPolygonizer {
+  readonly #device: GPUDevice;
+  readonly #stages: ReturnType<typeof stagesOn>;
+  readonly #work: Buffers;
+  /** of meshes that were destroyed */
+  readonly #free: Buffers[] = [];
+  /** of the first mesh */
+  readonly #first: Capacity | null;
+  /** of one that did not fit */
+  #needed: Capacity | null = null;
+  #isGone = false;
+  #lost: string | null = null;
+
+  constructor(device: GPUDevice, capacity: Capacity | null, changed: Modules | null) {
+    this.#device = device;
+    this.#first = capacity;
+    this.#stages = stagesOn(device, changed);
+    this.#work = new Buffers(device);
+    void device.lost.then(({ message, reason }) => {
+      this.#lost = message || reason || 'unknown reason';
+    });
+  }
+
+  async polygonize(node: FieldNode, bricks: ListedBricks | PackedBricks): Promise<GpuMesh> {
+    const program = programOf(node);
+    const packed = 'lists' in bricks ? bricks : packBricks(node, bricks);
+    const stages = await this.#told(this.#stages(program.ingredients));
+    if (this.#isGone) throw new Error('the polygonizer was given back');
+    const own = this.#free.pop() ?? new Buffers(this.#device);
+    try {
+      return await this.#taken(() => this.#begin(stages, program, packed, own));
+    } catch (error) {
+      // among them may be some that there was no memory for
+      for (const buffers of [own, this.#work]) buffers.destroy();
+      throw error;
+    }
+  }
+
+  async whole(node: FieldNode, bricks: ListedBricks | PackedBricks): Promise<GpuMesh> {
+    const packed = 'lists' in bricks ? bricks : packBricks(node, bricks);
+    for (;;) {
+      const mesh = await this.polygonize(node, packed);
+      if (!(await mesh.overflowed())) return mesh;
+      this.#needed = await mesh.needed();
+      mesh.destroy();
+    }
+  }
+
+  destroy(): void {
+    this.#isGone = true;
+    for (const buffers of [this.#work, ...this.#free]) buffers.destroy();
+    this.#free.length = 0;
+  }
+
+  #begin(stages: Stages, program: Program, bricks: PackedBricks, own: Buffers): GpuMesh {
+    const room = this.#roomFor(bricks);
+    const written = outputs(own, room);
+    const field = uploadField(this.#work, program, bricks, room);
+    const bound = { ...field, ...meshBuffers(this.#work, bricks.count, room), ...written };
+    const encoder = this.#device.createCommandEncoder({ label: 'polygonize' });
+    const pass = encoder.beginComputePass({ label: 'polygonize' });
+    encodeField(this.#device, pass, stages, field, bricks.count);
+    encodeMesh(this.#device, pass, stages, bound, bricks.count);
+    pass.end();
+    this.#device.queue.submit([encoder.finish()]);
+    const read = (slices: Parameters<typeof readBack>[1]) => this.#told(readBack(this.#device, slices));
+    return gpuMesh(written, read, () => this.#takeBack(own));
+  }
+
+  #roomFor({ count }: PackedBricks): Capacity {
+    if (this.#first && !this.#needed) return this.#first;
+    const guess = Math.max(FEWEST, VERTICES_A_BRICK * count);
+    const { vertices, triangles } = this.#needed ?? { vertices: 0, triangles: 0 };
+    return {
+      vertices: Math.max(Math.min(guess, MOST.vertices), vertices),
+      triangles: Math.max(Math.min(2 * guess, MOST.triangles), triangles),
+    };
+  }
+
+  #takeBack(own: Buffers): void {
+    if (this.#isGone) own.destroy();
+    else this.#free.push(own);
+  }
+
+  /** What `work` begins, once the device has taken it. */
+  async #taken<T>(work: () => T): Promise<T> {
+    const device = this.#device;
+    for (const filter of ['out-of-memory', 'validation'] as const) device.pushErrorScope(filter);
+    const pop = () => this.#told(Promise.all([device.popErrorScope(), device.popErrorScope()]));
+    const begun = settled(work);
+    const refusal = (await pop()).find((error) => error !== null);
+    if ('error' in begun) throw begun.error;
+    if (refusal) throw new Error(`the graphics device refused a mesh: ${refusal.message}`);
+    return begun.value;
+  }
+
+  /** What comes of it; or, in words, that the device is gone. */
+  async #told<T>(work: Promise<T>): Promise<T> {
+    const result = await work.catch((error: unknown) => {
+      if (this.#lost === null) throw error;
+      return null;
+    });
+    if (this.#lost !== null) throw new Error(`the graphics device was lost: ${this.#lost}`);
+    return result as T;
+  }
+}
+
+/** What came of it, or what was thrown. */
+function settled<T>(work: () => T): { readonly value: T } | { readonly error: unknown } {
+  try {
+    return { value: work() };
+  } catch (error) {
+    return { error };
+  }
+}

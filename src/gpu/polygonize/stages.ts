@@ -1,0 +1,129 @@
+/**
+ * The compute pipelines of the polygonizer, one a file of shaders/polygonize. Those that evaluate the field are made for its
+ * ingredients, the others once a device.
+ */
+import { record } from '../../math/record.ts';
+import { type Ingredients, KINDS, namesOf } from '../ingredients.ts';
+import { compile, link, type Modules } from '../link.ts';
+import { constants, fieldModules } from '../modules.ts';
+import { loadScan, type Scan } from '../scan.ts';
+import { SHADERS } from '../shaders.ts';
+import { ENTRY } from './lists.ts';
+import { loopModule } from './loopTable.ts';
+
+/** What all stages know. */
+export const LATTICE = record('Lattice', {
+  origin: 'vec3f',
+  step: 'f32',
+  /** along x, y, z; active ones */
+  bricks: 'vec4u',
+  /** vertices, indices, crossed cells */
+  capacities: 'vec4u',
+});
+
+/** Group 0 of each stage: buffers by their binding. Group 1 of those that evaluate: the records and the lists. */
+export const STAGES = {
+  nodes: { grid: 0, values: 1, lattice: 8 },
+  share: { grid: 0, values: 1, lists: 2, lattice: 8 },
+  classify: { grid: 0, values: 1, lists: 2, crossings: 3, cells: 4, lattice: 8, loops: 9 },
+  number: { crossings: 1, cells: 2, counts: 3, lattice: 8, loops: 9 },
+  plan: { totals: 0, state: 1, dispatches: 2, draw: 3, edgeSpan: 4, middleSpan: 5, lattice: 8 },
+  compact: {
+    counts: 1,
+    cells: 2,
+    crossings: 3,
+    vertexEdges: 4,
+    crossedCells: 5,
+    lattice: 8,
+    loops: 9,
+    state: 10,
+  },
+  vertices: { values: 1, vertexEdges: 2, positions: 3, normals: 4, colours: 5, lattice: 8, span: 10 },
+  emit: {
+    grid: 0,
+    crossedCells: 1,
+    crossings: 2,
+    lists: 3,
+    positions: 4,
+    normals: 5,
+    colours: 6,
+    indices: 7,
+    lattice: 8,
+    loops: 9,
+    state: 10,
+  },
+} as const;
+
+export type StageName = keyof typeof STAGES;
+const EVALUATING = ['nodes', 'vertices'] as const;
+const PLAIN = ['share', 'classify', 'number', 'plan', 'compact', 'emit'] as const;
+
+export interface Stages {
+  readonly pipelines: Readonly<Record<StageName, GPUComputePipeline>>;
+  readonly scan: Scan;
+}
+
+type Load = (ingredients: Ingredients) => Promise<Stages>;
+
+const made = new WeakMap<GPUDevice, Load>();
+
+/** The stages for ingredients, each compiled once a device. `changed`: modules that stand in for others, for those who ask alone. */
+export function stagesOn(device: GPUDevice, changed: Modules | null = null): Load {
+  if (changed) return loader(device, changed);
+  const load = made.get(device) ?? loader(device, {});
+  made.set(device, load);
+  return load;
+}
+
+function loader(device: GPUDevice, changed: Modules): Load {
+  const known = new Map<string, Promise<Stages>>();
+  let plain: Promise<Plain> | null = null;
+  return (ingredients) => {
+    const key = KINDS.map((kind) => namesOf(ingredients, kind).join(' ')).join(', ');
+    plain ??= loadPlain(device);
+    const stages = known.get(key) ?? loadStages(device, plain, { ...modulesOf(ingredients), ...changed });
+    known.set(key, stages);
+    // what failed once is tried again
+    stages.catch(() => {
+      known.delete(key);
+      plain = null;
+    });
+    return stages;
+  };
+}
+
+/** All that the stages import. */
+export function modulesOf(ingredients: Ingredients): Modules {
+  return { ...fieldModules(ingredients), ...TABLES, list: '#import polygonize/nearList\n' };
+}
+
+const TABLES: Modules = {
+  'record/lattice': LATTICE.wgsl,
+  'table/entries': constants('', ENTRY).join(''),
+  'table/loops': loopModule(),
+};
+
+type Plain = readonly [Scan, readonly (readonly [StageName, GPUComputePipeline])[]];
+
+async function loadPlain(device: GPUDevice): Promise<Plain> {
+  const modules = { ...SHADERS, ...TABLES };
+  return Promise.all([loadScan(device), Promise.all(PLAIN.map((name) => load(device, modules, name)))]);
+}
+
+async function loadStages(device: GPUDevice, plain: Promise<Plain>, modules: Modules): Promise<Stages> {
+  const evaluating = Promise.all(EVALUATING.map((name) => load(device, modules, name)));
+  const [[scan, others], own] = await Promise.all([plain, evaluating]);
+  const pipelines = Object.fromEntries([...others, ...own]) as Record<StageName, GPUComputePipeline>;
+  return { pipelines, scan };
+}
+
+async function load<Name extends StageName>(device: GPUDevice, modules: Modules, name: Name) {
+  const label = `polygonize/${name}`;
+  const module = await compile(device, label, link(modules, label));
+  const pipeline = await device.createComputePipelineAsync({
+    label,
+    layout: 'auto',
+    compute: { module, entryPoint: name },
+  });
+  return [name, pipeline] as const;
+}
