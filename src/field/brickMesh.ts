@@ -1,77 +1,79 @@
 /**
  * Marching cubes over the active bricks: by loops around each cube (cubeLoops.ts), whose vertices are on edges of the lattice, each
  * edge with one at most, so that the mesh is closed across bricks. Where smooth fields meet in an edge (hard unions, boxes) the
- * loop gets a point on the crease (crease.ts) in its middle.
+ * loop gets a point on the crease (loopPoints.ts) in its middle.
  *
  * Chosen over dual contouring, whose surfaces need repairs to be manifold, and over marching tetrahedra, which have more than
  * twice the triangles for the same field.
  */
-import { add3, cross3, length3, scale3, sub3 } from '../math/tuple.ts';
+import { add3, length3, scale3 } from '../math/tuple.ts';
 import type { Vec3 } from '../math/vec.ts';
 import type { Mesh } from '../mesh/mesh.ts';
 import { FLOPS } from '../skeleton/work.ts';
 import type { Brick, Bricks } from './bricks.ts';
 import { type BrickValues, CUT } from './brickValues.ts';
-import { type Crease, creaseNear } from './crease.ts';
-import { Corners } from './creaseCorners.ts';
-import { CreaseFans, type Fan } from './creaseFans.ts';
+import { CreaseFans } from './creaseFans.ts';
 import { AMBIGUOUS, CubeLoops } from './cubeLoops.ts';
 import { CROSSING_FLOPS, cubicCrossing, EdgePoint } from './edgePoint.ts';
 import { CORNERS, SIDE } from './hermite.ts';
 import { BRICK } from './lattice.ts';
+import { type LoopPoint, LoopPoints } from './loopPoints.ts';
 import { eachTriangle } from './loopTriangles.ts';
+import { meanNormals } from './meanNormals.ts';
 import type { Tally } from './near.ts';
+import { NO_BRANCH, type Vertex, VertexStore } from './vertexStore.ts';
 
 /** A mesh painted by the field. */
 export interface FieldMesh extends Mesh {
   readonly colours: Float32Array;
 }
 
-/** of a cell, how far from the middle of its loop a point on a crease may be */
-const REACH = 1.2;
-/** of a cell: corners as near to each other, of the same sides, are one */
-const SAME = 0.02;
 const AXES = [1, SIDE, SIDE * SIDE] as const;
-const NO_BRANCH = -1;
+/** From the first corner of a cube to the others. */
+const CUBE = Array.from(
+  { length: 8 },
+  (_, corner) => (corner & 1) + SIDE * ((corner >> 1) & 1) + SIDE * SIDE * (corner >> 2),
+);
 
 export class BrickMesh {
   readonly #bricks: Bricks;
   readonly #values: BrickValues;
   readonly #tally: Tally;
-  readonly #positions: number[] = [];
-  readonly #normals: number[] = [];
-  readonly #colours: number[] = [];
+  #before: BrickMesh | null;
+  readonly #store = new VertexStore();
   readonly #indices: number[] = [];
-  /** of each vertex, in bricks that have more than one */
-  readonly #branches: number[] = [];
-  /** vertices where the field has no slope */
-  readonly #flat: number[] = [];
-  /** by edge of the lattice */
-  readonly #vertices = new Map<number, number>();
   readonly #paint = new Float64Array(3);
   readonly #loops = new CubeLoops();
   readonly #eight = new Float64Array(8);
   readonly #inside = new Uint8Array(CORNERS);
   readonly #point = new EdgePoint();
   readonly #fans: CreaseFans;
-  readonly #corners = new Corners();
-  /** places of points on creases */
-  readonly #creases = new Set<string>();
+  readonly #points: LoopPoints;
   #brick: Brick;
   #own: Float64Array = new Float64Array(CORNERS);
+  #isKept = false;
 
-  constructor(bricks: Bricks, values: BrickValues, tally: Tally) {
+  /** `before`: the mesh before an edit, which is taken over where nothing changed. */
+  constructor(bricks: Bricks, values: BrickValues, tally: Tally, before: BrickMesh | null = null) {
     this.#bricks = bricks;
     this.#values = values;
     this.#tally = tally;
+    this.#before = before;
     this.#brick = bricks.active[0]!;
-    this.#fans = new CreaseFans(this.#branches, (a, b, c) => this.#indices.push(a, b, c));
+    this.#fans = new CreaseFans(this.#store.branches, this.#triangle);
+    this.#points = new LoopPoints(
+      this.#store,
+      this.#fans,
+      bricks.lattice.step,
+      before === null ? null : before.#points,
+    );
   }
 
-  /** The cells of one brick, with the values at its corners; bricks come in order. */
-  add(brick: Brick, values: Float64Array): void {
+  /** The cells of one brick, with the values at its corners; bricks come in order. `isKept`: its field is that of the mesh before. */
+  add(brick: Brick, values: Float64Array, isKept = false): void {
     this.#brick = brick;
     this.#own = values;
+    this.#isKept = isKept;
     const inside = this.#inside;
     let count = 0;
     for (let c = 0; c < CORNERS; c++) {
@@ -86,18 +88,26 @@ export class BrickMesh {
     }
   }
 
+  /** Of all bricks that were added; what was before is forgotten. */
   mesh(): FieldMesh {
     this.#fans.finish();
+    this.#before = null;
+    this.#points.forget();
+    const { positions, normals, colours, flat } = this.#store;
     const mesh = {
-      positions: Float32Array.from(this.#positions),
-      normals: Float32Array.from(this.#normals),
-      uvs: new Float32Array((2 * this.#positions.length) / 3),
+      positions: Float32Array.from(positions),
+      normals: Float32Array.from(normals),
+      uvs: new Float32Array((2 * positions.length) / 3),
       indices: Uint32Array.from(this.#indices),
-      colours: Float32Array.from(this.#colours),
+      colours: Float32Array.from(colours),
     };
-    if (this.#flat.length > 0) fillNormals(mesh, new Set(this.#flat));
+    if (flat.length > 0) meanNormals(mesh, new Set(flat));
     return mesh;
   }
+
+  readonly #triangle = (a: number, b: number, c: number): void => {
+    this.#indices.push(a, b, c);
+  };
 
   /** The cube whose first corner is `c`. */
   #cube(c: number): void {
@@ -123,7 +133,7 @@ export class BrickMesh {
     for (let loop = 0; loop < loops.count; loop++) {
       const end = loops.ends[loop]!;
       const ring = Array.from(loops.edges.subarray(start, end), (edge) => this.#vertex(c, edge));
-      this.#fill(ring, loops.isTwisted[loop] === 1, c);
+      this.#fill(ring, c, loop);
       start = end;
     }
   }
@@ -136,116 +146,89 @@ export class BrickMesh {
   }
 
   /** A piece of surface in a loop. */
-  #fill(ring: readonly number[], isTwisted: boolean, c: number): void {
-    const fan = this.#brick.near.branches > 1 ? this.#creased(ring) : null;
+  #fill(ring: readonly number[], c: number, loop: number): void {
+    const isTwisted = this.#loops.isTwisted[loop] === 1;
+    const { near } = this.#brick;
+    const key = loop + 4 * this.#number(c);
+    const isSame = this.#isKept && this.#store.areTaken(ring);
+    const fan = near.branches > 1 ? this.#points.creased(near, ring, key, isSame) : null;
     if (fan) {
       this.#fans.add(ring, fan);
       return;
     }
-    const middle = isTwisted ? this.#middle(ring, c) : null;
-    eachTriangle(ring, middle, this.#positions, (a, b, c) => this.#indices.push(a, b, c));
+    const search = () => this.#middle(ring, c);
+    const middle = isTwisted ? this.#points.remembered(`${key}`, isSame, search) : null;
+    eachTriangle(ring, middle && this.#addMiddle(ring, middle), this.#store.positions, this.#triangle);
   }
 
-  /** The copies of a point on the crease, or at the corner, that the loop is around; null where there is none. */
-  #creased(ring: readonly number[]): Fan | null {
-    const branches = [...new Set(ring.map((vertex) => this.#branches[vertex]!))].sort((a, b) => a - b);
-    if (branches.length < 2 || branches.includes(NO_BRANCH)) return null;
-    const { step } = this.#bricks.lattice;
+  #addMiddle(ring: readonly number[], { at, normals }: LoopPoint): number {
+    const store = this.#store;
+    return store.add({ at, normal: normals[0]!, colour: store.mean(store.colours, ring), branch: NO_BRANCH });
+  }
+
+  /** On the surface near the mean of a loop, or else towards a corner that is on its other side. */
+  #middle(ring: readonly number[], c: number): LoopPoint {
+    const mean = this.#store.mean(this.#store.positions, ring);
+    const point = this.#point;
     const { near } = this.#brick;
-    const middle = this.#mean(this.#positions, ring);
-    const found = creaseNear(near, branches, middle, REACH * step);
-    if (found) {
-      const known = this.#corners.near(branches, found.at, SAME * step);
-      if (known) return this.#fans.joins(ring, known) ? known : null;
-      const fan = this.#fanOf(ring, branches, found);
-      if (branches.length > 2) this.#corners.add(branches, found.at, fan);
-      return fan;
+    if (!point.polish(near, mean, this.#bricks.lattice.step)) {
+      const value = near.value(...mean);
+      const corners = CUBE.map((offset) => c + offset).filter((at) => this.#own[at]! > 0 !== value > 0);
+      const other = corners.reduce((a, b) => (Math.abs(this.#own[b]!) > Math.abs(this.#own[a]!) ? b : a));
+      point.search(near, mean, this.#at(other), value, this.#own[other]!);
     }
-    // sides that meet in no point nearby: the crease of the two that most of the loop is on
-    if (branches.length === 2) return null;
-    const count = (branch: number) => ring.filter((vertex) => this.#branches[vertex] === branch).length;
-    const two = branches.toSorted((a, b) => count(b) - count(a)).slice(0, 2);
-    const crease = creaseNear(near, two, middle, REACH * step);
-    return (
-      crease &&
-      this.#fanOf(ring, branches, {
-        at: crease.at,
-        normals: branches.map((branch) => crease.normals[two.indexOf(branch)] ?? crease.normals[0]!),
-      })
-    );
-  }
-
-  /** Null where a vertex is there already: two in one place would be one. */
-  #fanOf(ring: readonly number[], branches: readonly number[], { at, normals }: Crease): Fan | null {
-    const key = Float32Array.from(at).join(' ');
-    if (this.#creases.has(key)) return null;
-    this.#creases.add(key);
-    const copies = branches.map((branch, i) => {
-      const side = ring.filter((vertex) => this.#branches[vertex] === branch);
-      return [branch, this.#add(at, normals[i]!, branch, this.#mean(this.#colours, side))] as const;
-    });
-    return { copies: new Map(copies) };
+    const { x, y, z, nx, ny, nz } = point;
+    return { at: [x, y, z], normals: [[nx, ny, nz]] };
   }
 
   /** On the edge (corner + 8 axis) of the cube whose first corner is `c`. */
   #vertex(c: number, edge: number): number {
     const from = c + CUBE[edge & 7]!;
     const axis = edge >> 3;
-    const { counts } = this.#bricks.lattice;
-    const [x, y, z] = this.#lattice(from);
-    const key = axis + 3 * (x + counts[0] * (y + counts[1] * z));
-    const known = this.#vertices.get(key);
+    const key = axis + 3 * this.#number(from);
+    const known = this.#store.onEdge(key);
     if (known !== undefined) return known;
-    const made = this.#place(from, axis);
-    this.#vertices.set(key, made);
-    return made;
+    const ends = [this.#own[from]!, this.#own[from + AXES[axis]!]!] as const;
+    const taken = this.#isKept && this.#before ? this.#store.take(this.#before.#store, key, ends) : null;
+    return taken ?? this.#store.addOnEdge(key, ends, this.#placed(from, axis, ends));
   }
 
-  /** A new vertex between the corner `from` and the next along `axis`. */
-  #place(from: number, axis: number): number {
-    const to = from + AXES[axis]!;
-    const [valueA, valueB] = [this.#own[from]!, this.#own[to]!];
-    const [a, b] = [this.#at(from), this.#at(to)];
+  /** Between the corner `from` and the next along `axis`. */
+  #placed(from: number, axis: number, [valueA, valueB]: readonly [number, number]): Vertex {
+    const [a, b] = [this.#at(from), this.#at(from + AXES[axis]!)];
     if (valueA === CUT || valueB === CUT) return this.#cutOff(from, axis, a, b);
     const { near } = this.#brick;
     const point = this.#point;
     const { step } = this.#bricks.lattice;
     const isSmooth = near.branches === 1 && point.newton(near, a, axis, step, this.#crossing(from, axis));
     if (!isSmooth) point.search(near, a, b, valueA, valueB);
-    const { x, y, z } = point;
-    const colour = this.#colourAt([x, y, z]);
+    const { x, y, z, nx, ny, nz } = point;
     const branch = near.branches > 1 ? near.branch(x, y, z) : NO_BRANCH;
-    return this.#add([x, y, z], [point.nx, point.ny, point.nz], branch, colour);
+    return { at: [x, y, z], normal: [nx, ny, nz], colour: this.#colourAt([x, y, z]), branch };
   }
 
-  /** Along the four corners of the brick around an edge. */
+  /** Where the cubic through four corners of the brick around an edge crosses it. */
   #crossing(from: number, axis: number): number {
     this.#tally.work += CROSSING_FLOPS / FLOPS;
     const stride = AXES[axis]!;
     const along = Math.floor(from / stride) % SIDE;
     const first = along < 2 ? 0 : 1;
-    const start = from + (first - along) * stride;
     const own = this.#own;
-    const [v0, v1, v2, v3] = [
-      own[start]!,
-      own[start + stride]!,
-      own[start + 2 * stride]!,
-      own[start + 3 * stride]!,
-    ];
-    return cubicCrossing(v0, v1, v2, v3, along - first);
+    const at = (i: number) => own[from + (first - along + i) * stride]!;
+    return cubicCrossing(at(0), at(1), at(2), at(3), along - first);
   }
 
   /** What leaves the lattice ends half a cell within it. */
-  #cutOff(from: number, axis: number, a: Vec3, b: Vec3): number {
+  #cutOff(from: number, axis: number, a: Vec3, b: Vec3): Vertex {
     const { counts } = this.#bricks.lattice;
-    const low = this.#lattice(from);
+    const low = this.#node(from);
     const side = (along: 0 | 1 | 2) => {
       const high = low[along] + (along === axis ? 1 : 0);
       return low[along] === 0 ? -1 : high === counts[along] - 1 ? 1 : 0;
     };
     const out: Vec3 = [side(0), side(1), side(2)];
     const at = scale3(add3(a, b), 0.5);
-    return this.#add(at, scale3(out, 1 / length3(out)), NO_BRANCH, this.#colourAt(at));
+    return { at, normal: scale3(out, 1 / length3(out)), colour: this.#colourAt(at), branch: NO_BRANCH };
   }
 
   #colourAt(at: Vec3): Vec3 {
@@ -256,39 +239,8 @@ export class BrickMesh {
     return [paint[0]!, paint[1]!, paint[2]!];
   }
 
-  /** A vertex in the middle of others: on the surface near their mean, or else towards a corner that is on its other side. */
-  #middle(ring: readonly number[], c: number): number {
-    const mean = this.#mean(this.#positions, ring);
-    const point = this.#point;
-    const { near } = this.#brick;
-    if (!point.polish(near, mean, this.#bricks.lattice.step)) {
-      const value = near.value(...mean);
-      const corners = CUBE.map((offset) => c + offset).filter((at) => this.#own[at]! > 0 !== value > 0);
-      const other = corners.reduce((a, b) => (Math.abs(this.#own[b]!) > Math.abs(this.#own[a]!) ? b : a));
-      point.search(near, mean, this.#at(other), value, this.#own[other]!);
-    }
-    const { x, y, z, nx, ny, nz } = point;
-    return this.#add([x, y, z], [nx, ny, nz], NO_BRANCH, this.#mean(this.#colours, ring));
-  }
-
-  #mean(of: readonly number[], ring: readonly number[]): Vec3 {
-    const along = (axis: number) =>
-      ring.reduce((sum, vertex) => sum + of[3 * vertex + axis]!, 0) / ring.length;
-    return [along(0), along(1), along(2)];
-  }
-
-  #add(at: Vec3, normal: Vec3, branch: number, colour: Vec3): number {
-    const made = this.#positions.length / 3;
-    this.#positions.push(at[0], at[1], at[2]);
-    this.#normals.push(normal[0], normal[1], normal[2]);
-    this.#colours.push(colour[0], colour[1], colour[2]);
-    this.#branches.push(branch);
-    if (normal[0] === 0 && normal[1] === 0 && normal[2] === 0) this.#flat.push(made);
-    return made;
-  }
-
   /** The node of the lattice at a corner of the brick. */
-  #lattice(c: number): Vec3 {
+  #node(c: number): Vec3 {
     const { i, j, k } = this.#brick;
     return [
       BRICK * i + (c % SIDE),
@@ -297,35 +249,15 @@ export class BrickMesh {
     ];
   }
 
+  #number(c: number): number {
+    const [x, y, z] = this.#node(c);
+    const { counts } = this.#bricks.lattice;
+    return x + counts[0] * (y + counts[1] * z);
+  }
+
   #at(c: number): Vec3 {
     const { origin, step } = this.#bricks.lattice;
-    const [x, y, z] = this.#lattice(c);
+    const [x, y, z] = this.#node(c);
     return [origin[0] + x * step, origin[1] + y * step, origin[2] + z * step];
-  }
-}
-
-/** From the first corner of a cube to the others. */
-const CUBE = Array.from(
-  { length: 8 },
-  (_, corner) => (corner & 1) + SIDE * ((corner >> 1) & 1) + SIDE * SIDE * (corner >> 2),
-);
-
-/** The mean of the triangles around, by area, for vertices without a slope. */
-function fillNormals({ positions, normals, indices }: Mesh, wanted: ReadonlySet<number>): void {
-  const at = (i: number): Vec3 => [positions[3 * i]!, positions[3 * i + 1]!, positions[3 * i + 2]!];
-  for (let i = 0; i < indices.length; i += 3) {
-    const corners = [indices[i]!, indices[i + 1]!, indices[i + 2]!] as const;
-    if (!corners.some((corner) => wanted.has(corner))) continue;
-    const [a, b, c] = [at(corners[0]), at(corners[1]), at(corners[2])];
-    const across = cross3(sub3(b, a), sub3(c, a));
-    for (const corner of corners) {
-      if (wanted.has(corner))
-        for (let axis = 0; axis < 3; axis++) normals[3 * corner + axis]! += across[axis]!;
-    }
-  }
-  for (const i of wanted) {
-    const sum: Vec3 = [normals[3 * i]!, normals[3 * i + 1]!, normals[3 * i + 2]!];
-    const length = length3(sum);
-    normals.set(length > 0 ? scale3(sum, 1 / length) : [0, 1, 0], 3 * i);
   }
 }

@@ -15,6 +15,8 @@ import type { Near, Tally } from './near.ts';
 
 /** In place of what is inside at the lattice's border: outside, for nothing is known beyond. */
 export const CUT = -1e300;
+/** of the 27 around a brick, itself */
+const MIDDLE = 13;
 /** of a sign that is known and nothing else */
 const LEAST = 1e-30;
 
@@ -35,6 +37,13 @@ interface Filled {
   nodes: LeafNodes | null;
 }
 
+/** Values from before an edit, and which bricks they still hold for. */
+export interface Before {
+  readonly values: BrickValues;
+  /** of brick `place` its place then; −1 where it was made anew or was not there */
+  placeOf(place: number): number;
+}
+
 export class BrickValues {
   readonly #whole: Near;
   readonly #bricks: Bricks;
@@ -46,8 +55,19 @@ export class BrickValues {
   #forgotten = 0;
   /** whether the field is inside at each side of the lattice: −x, x, −y, y, −z, z */
   readonly leaves = [false, false, false, false, false, false];
+  #before: Before | null;
+  readonly #isLive: boolean;
 
-  constructor(whole: Near, bricks: Bricks, tally: Tally) {
+  /** `before`: what may be taken over. `isLive`: nodes are kept for the next edit. */
+  constructor(
+    whole: Near,
+    bricks: Bricks,
+    tally: Tally,
+    before: Before | null = null,
+    isLive = before !== null,
+  ) {
+    this.#before = before;
+    this.#isLive = isLive;
     this.#whole = whole;
     this.#bricks = bricks;
     this.#nodes = new BrickNodes(bricks.lattice, tally);
@@ -61,7 +81,14 @@ export class BrickValues {
     around(this.#bricks, brick, this.#around);
     this.#enter(brick, own);
     const { wanted } = this.#nodes;
+    const kept = this.#keptOf(place);
+    if (kept) values.set(kept.values);
     this.#take(values);
+    if (kept) {
+      this.#believe(brick, values);
+      this.#filled.push({ values, nodes: kept.nodes });
+      return values;
+    }
     const mine = new Float64Array(CORNERS);
     const slack = brick.near.corners(this.#nodes, mine);
     for (let c = 0; c < CORNERS; c++) {
@@ -87,11 +114,27 @@ export class BrickValues {
     if (known !== undefined) return known;
     around(this.#bricks, brick, this.#around);
     const common = SAME_CORNERS[c]!.find((same) => this.#around[same.brick]! >= 0);
-    const owner = common ? active[this.#around[common.brick]!]! : brick;
+    const place = this.#around[common?.brick ?? MIDDLE]!;
+    const owner = active[place]!;
+    const then = this.#keptOf(place) && this.#before!.values.#exact.get(key);
+    if (then) {
+      this.#exact.set(key, then);
+      return then;
+    }
     this.#nodes.enter(BRICK * owner.i, BRICK * owner.j, BRICK * owner.k, new Map(), []);
     const value = this.#asked(owner.near, common?.at ?? c, null);
     this.#exact.set(key, value);
     return value;
+  }
+
+  /** What was before an edit. */
+  forget(): void {
+    this.#before = null;
+  }
+
+  #keptOf(place: number): Filled | null {
+    const then = this.#before?.placeOf(place) ?? -1;
+    return then < 0 ? null : this.#before!.values.#filled[then]!;
   }
 
   #enter({ i, j, k }: Brick, own: LeafNodes): void {
@@ -159,6 +202,7 @@ export class BrickValues {
   /** Nodes are taken over by the next layer of bricks only. */
   #forget(k: number): void {
     const { active } = this.#bricks;
+    if (this.#isLive) return;
     while (active[this.#forgotten]!.k < k - 1) this.#filled[this.#forgotten++]!.nodes = null;
   }
 }

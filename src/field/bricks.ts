@@ -57,7 +57,7 @@ export function* culling(whole: Near, lattice: Lattice): Generator<number, Brick
   for (; ; size /= 2) {
     const next: Cube[] = [];
     for (const [n, { i, j, k, outer }] of cubes.entries()) {
-      const near = withinCube(outer, lattice, i, j, k, size);
+      const near = cubeWithin(outer, lattice, i, j, k, size);
       if (near.high <= 0) continue;
       const isInside = near.low > 0 && !isAtBorder(counts, i, j, k, size);
       if (isInside) fillInside(grid, counts, i, j, k, size);
@@ -79,7 +79,15 @@ type At = Pick<Brick, 'i' | 'j' | 'k'>;
 
 const numberOf = ([nx, ny]: Vec3, { i, j, k }: At): number => i + nx * (j + ny * k);
 
-function withinCube(outer: Near, { origin, step }: Lattice, i: number, j: number, k: number, size: number) {
+/** What of `outer` matters in the cube of `size` bricks from brick (i, j, k) on. */
+export function cubeWithin(
+  outer: Near,
+  { origin, step }: Lattice,
+  i: number,
+  j: number,
+  k: number,
+  size: number,
+) {
   const edge = BRICK * step;
   const half = 0.5 * size * edge;
   // what is missed above is missed in all cubes below: half as much a level
@@ -103,7 +111,7 @@ function eighths(i: number, j: number, k: number, half: number, outer: Near, [nx
 }
 
 /** Nothing is known beyond: what is inside there is cut off. */
-function isAtBorder(counts: Vec3, i: number, j: number, k: number, size: number): boolean {
+export function isAtBorder(counts: Vec3, i: number, j: number, k: number, size: number): boolean {
   return [i, j, k].some((at, axis) => at === 0 || at + size >= counts[axis]!);
 }
 

@@ -16,9 +16,9 @@ const CLOSE = 1e-4;
 /** Below, sides meet so flatly that nothing is seen of the edge: the cosine of 8°. */
 const FLAT = 0.99;
 
+/** A point and the outward unit normals there: of each branch, in the order asked. */
 export interface Crease {
   readonly at: Vec3;
-  /** outward unit normal of each branch there, in the order asked */
   readonly normals: readonly Vec3[];
 }
 

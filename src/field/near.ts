@@ -103,3 +103,7 @@ export interface Far {
   /** what they weigh in the mean of colours at the centre, and red, green, blue times that */
   readonly colour: Float64Array;
 }
+
+/** The most that values of the one may differ from those of the other. */
+export const rangesApart = (a: Pick<Near, 'low' | 'high'>, b: Pick<Near, 'low' | 'high'>): number =>
+  Math.max(a.high - b.low, b.high - a.low);

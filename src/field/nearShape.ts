@@ -3,7 +3,15 @@ import type { Facets } from '../shape/shape.ts';
 import type { FieldValue } from '../skeleton/skeleton.ts';
 import { WITH_GRADIENT } from '../skeleton/work.ts';
 import type { LeafFrame } from './leafFrame.ts';
-import type { Changes, Corners, Near, NearLeaf, Tally, Way } from './near.ts';
+import {
+  type Changes,
+  type Corners,
+  type Near,
+  type NearLeaf,
+  rangesApart,
+  type Tally,
+  type Way,
+} from './near.ts';
 import type { Colour } from './node.ts';
 import type { TreeField } from './treeField.ts';
 
@@ -117,8 +125,8 @@ class NearShape implements Near {
     return [leaf, leaf + 1];
   }
 
-  effect(_: Near, changes: Changes): number {
-    return changes.has(this.#whole.leaf) ? Infinity : 0;
+  effect(newer: Near, changes: Changes, x: number, y: number, z: number, half: number): number {
+    return changes.has(this.#whole.leaf) ? rangesApart(this, newer.within(x, y, z, half, 0)) : 0;
   }
 
   eachLeaf(visit: (leaf: NearLeaf) => void): void {

@@ -13,7 +13,17 @@ import { TEST, WITH_GRADIENT } from '../skeleton/work.ts';
 import { type BoundTerm, UNSEEN } from './boundTerm.ts';
 import { AROUND, closed, roundedHalf } from './closed.ts';
 import type { LeafFrame } from './leafFrame.ts';
-import type { Changes, Corners, Far, Near, NearLeaf, Tally, Way } from './near.ts';
+import {
+  type Changes,
+  type Corners,
+  type Far,
+  type LeafChange,
+  type Near,
+  type NearLeaf,
+  rangesApart,
+  type Tally,
+  type Way,
+} from './near.ts';
 import { type Colour, commonColour } from './node.ts';
 
 /** A term with its number in the sum. */
@@ -170,10 +180,11 @@ class NearSum implements Near {
   }
 
   /** Of what came less what went: moved a little, both hardly differ. */
-  effect(_: Near, changes: Changes, x: number, y: number, z: number, cube: number): number {
+  effect(newer: Near, changes: Changes, x: number, y: number, z: number, cube: number): number {
     const { leaf, frame, tally } = this.#whole;
     const change = changes.get(leaf);
-    if (!change) return change === undefined ? 0 : Infinity;
+    if (change === undefined) return 0;
+    if (change === null) return rangesApart(this, newer.within(x, y, z, cube, 0));
     const half = roundedHalf(x, y, z, cube);
     const off = frame?.off(x, y, z, AROUND * half) ?? 0;
     frame?.enter(x, y, z);
@@ -185,7 +196,8 @@ class NearSum implements Near {
     tally.work += (WITH_GRADIENT + TEST) * (change.added.length + change.removed.length);
     frame?.turn(spread);
     closed(spread, half + off, range);
-    return (frame?.scale ?? 1) * Math.max(Math.abs(range[0]!), Math.abs(range[1]!));
+    const swing = Math.max(Math.abs(range[0]!), Math.abs(range[1]!));
+    return (frame?.scale ?? 1) * Math.min(swing, movedApart(change, px, py, pz, radius));
   }
 
   eachLeaf(visit: (leaf: NearLeaf) => void): void {
@@ -309,6 +321,23 @@ class NearSum implements Near {
     for (let i = 0; i < 3; i++) out[i] = weight > 0 ? mean[i + 1]! / weight : first[i]!;
     return sum;
   }
+}
+
+/** Of terms that were replaced one by one. */
+function movedApart(
+  { removed, added }: NonNullable<LeafChange>,
+  x: number,
+  y: number,
+  z: number,
+  radius: number,
+): number {
+  if (removed.length !== added.length) return Infinity;
+  return removed.reduce((sum, { field, factor }, i) => {
+    const other = added[i]!;
+    return other.factor === factor
+      ? sum + Math.abs(factor) * field.apart(other.field, x, y, z, radius)
+      : Infinity;
+  }, 0);
 }
 
 /** A running sum that does not overflow where singular fields are large: what counts are ratios. */

@@ -102,6 +102,10 @@ export class Warped implements SkelField {
     return seen.isLinear || missed === 0 ? missed : Infinity;
   }
 
+  apart(): number {
+    return Infinity;
+  }
+
   standIn(x: number, y: number, z: number, radius: number, factor: number, out: Taylor): number {
     this.#see(x, y, z, radius);
     const local = this.#local.fill(0);

@@ -46,6 +46,7 @@ const NOTHING = {
   spread: () => {},
   missed: () => 0,
   standIn: () => 0,
+  apart: () => Infinity,
 } as const;
 
 /** What a kernel leaves, and the perpendicular from the line to the point: made once, filled again for each evaluation. */
@@ -112,6 +113,9 @@ class SegmentField implements SkelField {
       box: this.box,
       missed: (x: number, y: number, z: number, radius: number, most: number) =>
         this.#spreader.missed(x, y, z, radius, most),
+      source: this,
+      apart: (other: SkelField, x: number, y: number, z: number, radius: number) =>
+        this.apart(other, x, y, z, radius),
       standIn: (x: number, y: number, z: number, radius: number, factor: number, out: Taylor) =>
         this.#spreader.standIn(quick, x, y, z, radius, factor, out),
       offset: (threshold: number) => this.offset(threshold),
@@ -128,6 +132,21 @@ class SegmentField implements SkelField {
 
   missed(x: number, y: number, z: number, radius: number, most: number): number {
     return this.#spreader.missed(x, y, z, radius, most);
+  }
+
+  /** Of places that are as far along, and of their weights times the length. */
+  apart(other: SkelField, x: number, y: number, z: number, radius: number): number {
+    const found = other instanceof SegmentField ? other : (other as Partial<Quick>).source;
+    if (!found || found.#kernel !== this.#kernel || found.#per !== this.#per) return Infinity;
+    const shift = this.#per * Math.max(between(this.#a, found.#a), between(this.#b, found.#b));
+    let mass = 0;
+    let [own, theirs] = [1, 1];
+    for (let k = 0; k < 4; k++) {
+      own *= this.#frame.length;
+      theirs *= found.#frame.length;
+      mass += Math.abs(this.#frame.weights[k]! * own - found.#frame.weights[k]! * theirs);
+    }
+    return this.#spreader.apart(x, y, z, radius, shift, mass);
   }
 
   standIn(x: number, y: number, z: number, radius: number, factor: number, out: Taylor): number {
@@ -195,6 +214,13 @@ class SegmentField implements SkelField {
     return rho2 < support2;
   }
 }
+
+/** What a quick form knows of where it is from. */
+interface Quick {
+  readonly source: SegmentField;
+}
+
+const between = (a: Float64Array, b: Float64Array) => lengthOf(a[0]! - b[0]!, a[1]! - b[1]!, a[2]! - b[2]!);
 
 /** Without overflow of the squares. */
 function lengthOf(x: number, y: number, z: number): number {

@@ -40,6 +40,8 @@ export interface SkelField {
    * degree (points, segments), of the first (polygons), or nothing (kernels that are no powers). Says what it took (work.ts).
    */
   standIn(x: number, y: number, z: number, radius: number, factor: number, out: Taylor): number;
+  /** By how much the field may differ from that of a skel that was moved or weighted a little otherwise, within `radius` mm; Infinity where that is not known. */
+  apart(other: SkelField, x: number, y: number, z: number, radius: number): number;
   /** of the skel itself, without its field */
   readonly box: Box;
   /** mm from the skel beyond which |value| < `threshold`; 0 when it is nowhere larger (FIELD-NOTES §1, Z(17)–(19) corrected) */

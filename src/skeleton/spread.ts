@@ -7,6 +7,7 @@
  * a sum of far ones.
  */
 import { type AbsoluteChange, type RelativeChange, Step } from '../kernel/change.ts';
+import { halfPower } from '../kernel/halfPower.ts';
 import type { Kernel } from '../kernel/kernel.ts';
 import { mostOfLine, mostOfPlate } from '../kernel/most.ts';
 import type { Sources } from './gaussSources.ts';
@@ -105,6 +106,23 @@ export class Spreader {
     if (whole * step.bend > most) return Infinity;
     const off = this.#bent(change, whole);
     return (whole + off) * step.bend + off + MARGIN * whole + sight.slack;
+  }
+
+  /**
+   * By how much the field may change within `radius` mm when its places move by `shift` and its mass by `mass`, kernel units: the
+   * sources of M^−n move by θ = shift/M and take it to at most (1 − θ)^−n of itself.
+   */
+  apart(x: number, y: number, z: number, radius: number, shift: number, mass: number): number {
+    const { change } = this.#kernel;
+    this.#isNothing(x, y, z, radius);
+    const { near } = step;
+    if (change.type === 'absolute' || !sight.isClear || near - shift < this.#least) return Infinity;
+    const n = change.power(this.#exponent);
+    const theta = shift / Math.sqrt(change.core + near * near);
+    if (!(theta < 1)) return Infinity;
+    const left = Math.max(near - shift, 0);
+    const moved = this.most(near * near) * (halfPower((1 - theta) * (1 - theta), n) - 1);
+    return (moved + mass * this.#kernel.value(left * left, this.#exponent)) * (1 + MARGIN) + 2 * sight.slack;
   }
 
   /** What `standIn` of SkelField says. */

@@ -1,6 +1,7 @@
 /** One of 100 parts of a union moved: what it costs against the whole. */
+
+import { type LiveMade, LiveMesh } from '../../src/field/liveMesh.ts';
 import type { FieldNode } from '../../src/field/node.ts';
-import { measured } from './polygonizing.ts';
 import { sceneNode } from './scenes/index.ts';
 import { rounded } from './timing.ts';
 
@@ -22,22 +23,28 @@ function garden(by: number): FieldNode {
   return { type: 'union', form: 'hard', parts };
 }
 
-/** Nothing is kept from one mesh to the next yet: the edit is the whole. */
-const edited = (_before: FieldNode, after: FieldNode, cells: number) => measured(after, cells);
-
 export function timeEdits(): void {
   const rows = CELLS.map((cells) => {
-    const whole = measured(garden(0), cells);
-    const edit = edited(garden(0), garden(0.05), cells);
+    const live = new LiveMesh(cells);
+    const first = timed(() => live.make(garden(0)));
+    const edit = timed(() => live.make(garden(0.05)));
     return {
       cells,
-      'whole, M': rounded(whole.work / 1e6, 2),
-      'edit, M': rounded(edit.work / 1e6, 2),
-      share: rounded(edit.work / whole.work, 3),
-      'whole, ms': rounded(whole.milliseconds),
+      'whole, M': rounded(first.made.evaluations / 1e6, 2),
+      'edit, M': rounded(edit.made.evaluations / 1e6, 2),
+      share: rounded(edit.made.evaluations / first.made.evaluations, 3),
+      bricks: edit.made.bricks,
+      'of them renewed': edit.made.renewed,
+      'whole, ms': rounded(first.milliseconds),
       'edit, ms': rounded(edit.milliseconds),
     };
   });
   console.log('\nOne of 100 parts moved');
   console.table(rows);
+}
+
+function timed(make: () => LiveMade) {
+  const start = performance.now();
+  const made = make();
+  return { made, milliseconds: performance.now() - start };
 }

@@ -1,0 +1,92 @@
+/**
+ * The point in the middle of a loop, where it has one: on the crease or the corner that it is around, or on the surface in the middle of
+ * a twisted loop. What was found before an edit is taken over by its key.
+ */
+import { type Crease, creaseNear } from './crease.ts';
+import { Corners } from './creaseCorners.ts';
+import type { CreaseFans, Fan } from './creaseFans.ts';
+import type { Near } from './near.ts';
+import { NO_BRANCH, type VertexStore } from './vertexStore.ts';
+
+/** of a cell, how far from the middle of its loop a point on a crease may be */
+const REACH = 1.2;
+/** of a cell: corners as near to each other, of the same sides, are one */
+const SAME = 0.02;
+
+/** On a crease, or in the middle of a loop, with the one normal there. */
+export type LoopPoint = Crease;
+
+export class LoopPoints {
+  readonly #store: VertexStore;
+  readonly #fans: CreaseFans;
+  #before: LoopPoints | null;
+  readonly #step: number;
+  readonly #corners = new Corners();
+  /** places of points on creases */
+  readonly #places = new Set<string>();
+  readonly #found = new Map<string, LoopPoint | null>();
+
+  constructor(store: VertexStore, fans: CreaseFans, step: number, before: LoopPoints | null) {
+    this.#store = store;
+    this.#fans = fans;
+    this.#step = step;
+    this.#before = before;
+  }
+
+  /** What was before an edit. */
+  forget(): void {
+    this.#before = null;
+  }
+
+  /** What `search` finds, or found before where nothing changed since. */
+  remembered(key: string, isSame: boolean, search: () => LoopPoint | null): LoopPoint | null {
+    const before = this.#before;
+    const known = isSame && before ? before.#found.get(key) : undefined;
+    const found = known === undefined ? search() : known;
+    this.#found.set(key, found);
+    return found;
+  }
+
+  /** The copies of a point on the crease, or at the corner, that the loop is around; null where there is none. */
+  creased(near: Near, ring: readonly number[], key: number, isSame: boolean): Fan | null {
+    const store = this.#store;
+    const all = store.branches;
+    const branches = [...new Set(ring.map((vertex) => all[vertex]!))].sort((a, b) => a - b);
+    if (branches.length < 2 || branches.includes(NO_BRANCH)) return null;
+    const middle = store.mean(store.positions, ring);
+    const search = (of: readonly number[]) => () => creaseNear(near, of, middle, REACH * this.#step);
+    const found = this.remembered(`${key} all`, isSame, search(branches));
+    if (found) return this.#around(ring, branches, found);
+    // sides that meet in no point nearby: the crease of the two that most of the loop is on
+    if (branches.length === 2) return null;
+    const count = (branch: number) => ring.filter((vertex) => all[vertex] === branch).length;
+    const two = branches.toSorted((a, b) => count(b) - count(a)).slice(0, 2);
+    const crease = this.remembered(`${key} two`, isSame, search(two));
+    if (!crease) return null;
+    const normals = branches.map((branch) => crease.normals[two.indexOf(branch)] ?? crease.normals[0]!);
+    return this.#fanOf(ring, branches, { at: crease.at, normals });
+  }
+
+  /** Corners may have been found from a cube beside this. */
+  #around(ring: readonly number[], branches: readonly number[], found: LoopPoint): Fan | null {
+    const known = this.#corners.near(branches, found.at, SAME * this.#step);
+    if (known) return this.#fans.joins(ring, known) ? known : null;
+    const fan = this.#fanOf(ring, branches, found);
+    if (branches.length > 2) this.#corners.add(branches, found.at, fan);
+    return fan;
+  }
+
+  /** Null where a vertex is there already: two in one place would be one. */
+  #fanOf(ring: readonly number[], branches: readonly number[], { at, normals }: LoopPoint): Fan | null {
+    const place = Float32Array.from(at).join(' ');
+    if (this.#places.has(place)) return null;
+    this.#places.add(place);
+    const store = this.#store;
+    const copies = branches.map((branch, i) => {
+      const side = ring.filter((vertex) => store.branches[vertex] === branch);
+      const colour = store.mean(store.colours, side);
+      return [branch, store.add({ at, normal: normals[i]!, colour, branch })] as const;
+    });
+    return { copies: new Map(copies) };
+  }
+}

@@ -1,0 +1,128 @@
+/** Edited bodies: what a change does not reach is kept, and many small drags come to no more than one. */
+import { describe, expect, test } from 'vitest';
+import { bindField } from '../../src/field/bind.ts';
+import { LiveMesh } from '../../src/field/liveMesh.ts';
+import type { FieldNode, SkelsNode } from '../../src/field/node.ts';
+import { polygonize } from '../../src/field/polygonize.ts';
+import { topology } from '../../src/mesh/check.ts';
+import type { Mesh } from '../../src/mesh/mesh.ts';
+import { random } from '../fixtures/random.ts';
+import { Lot } from './lot.ts';
+import { randomTree } from './randomTrees.ts';
+import { type Point, placed } from './trees.ts';
+
+const FULL = process.env.ROTUND_FULL !== undefined;
+
+/** A comb of thin segments along x, the one in the middle moved. */
+function comb(count: number, moved: Point = [0, 0, 0], old?: SkelsNode): SkelsNode {
+  const middle = Math.floor(count / 2);
+  const skels = Array.from({ length: count }, (_, i) => {
+    const [dx, dy, dz] = i === middle ? moved : [0, 0, 0];
+    if (old && i !== middle) return old.skels[i]!;
+    const at = 6 * (i - count / 2);
+    return {
+      skel: {
+        type: 'segment' as const,
+        a: [at + dx, -6 + dy, dz] as const,
+        b: [at + dx, 6 + dy, 2 + dz] as const,
+        weights: [1],
+      },
+    };
+  });
+  return { type: 'skels', kernel: 'cauchy', params: { s: 1 }, threshold: 0.4, skels };
+}
+
+/** Cells by which vertices are off the surface of a field, at most. */
+function offBy(node: FieldNode, mesh: Mesh, step: number): number {
+  const field = bindField(node);
+  const out = new Float64Array(4);
+  let most = 0;
+  for (let i = 0; i < mesh.positions.length; i += 3) {
+    field.evaluate(mesh.positions[i]!, mesh.positions[i + 1]!, mesh.positions[i + 2]!, out);
+    most = Math.max(most, Math.abs(out[0]!) / Math.hypot(out[1]!, out[2]!, out[3]!) / step);
+  }
+  return most;
+}
+
+const CELLS = 96;
+
+describe('an edit', () => {
+  test('of one of 25 segments asks a tenth and renews few bricks', () => {
+    const before = comb(25);
+    const live = new LiveMesh(CELLS);
+    const whole = live.make(before);
+    const edit = live.make(comb(25, [0.3, 0.2, 0.1], before));
+    console.info(
+      `an edit: ${edit.renewed} of ${edit.bricks} bricks, ${(edit.evaluations / whole.evaluations).toFixed(3)} of the work`,
+    );
+    expect(edit.evaluations).toBeLessThan(0.1 * whole.evaluations);
+    expect(edit.renewed).toBeLessThan(0.2 * edit.bricks);
+    const fresh = polygonize(bindField(comb(25, [0.3, 0.2, 0.1], before)), CELLS);
+    const { genus, components } = topology(fresh.mesh);
+    expect(topology(edit.mesh)).toMatchObject({ watertight: true, finite: true, genus, components });
+  });
+
+  test('of nothing renews nothing', () => {
+    const live = new LiveMesh(48);
+    const node = comb(9);
+    const { mesh } = live.make(node);
+    const again = live.make(comb(9, [0, 0, 0], node));
+    expect(live.make(node).renewed).toBe(0);
+    expect(again.mesh.indices).toEqual(mesh.indices);
+    expect(again.mesh.positions).toEqual(mesh.positions);
+  });
+
+  test('of one of 16 parts of a union looks at that part alone', () => {
+    const part = comb(3);
+    const at = (x: number, y: number) => placed(part, x, y, 0);
+    const union = (dx: number): FieldNode => ({
+      type: 'union',
+      form: 'hard',
+      parts: Array.from({ length: 16 }, (_, i) =>
+        at(30 * (i % 4) + (i === 5 ? dx : 0), 30 * Math.floor(i / 4)),
+      ),
+    });
+    const live = new LiveMesh(CELLS);
+    const whole = live.make(union(0));
+    const edit = live.make(union(1.5));
+    expect(edit.evaluations).toBeLessThan(0.25 * whole.evaluations);
+    expect(topology(edit.mesh)).toMatchObject({ watertight: true, components: 48 });
+    const fresh = polygonize(bindField(union(1.5)), CELLS);
+    expect(offBy(union(1.5), edit.mesh, fresh.lattice.step)).toBeLessThan(0.05);
+  });
+});
+
+test(`${FULL ? '10,000' : '300'} small drags are no worse than one (seed 91)`, () => {
+  const next = random(91);
+  const live = new LiveMesh(40);
+  let node = comb(9);
+  live.make(node);
+  let at: Point = [0, 0, 0];
+  let renewed = 0;
+  const drags = FULL ? 10_000 : 300;
+  let last = live.make(node);
+  for (let i = 0; i < drags; i++) {
+    const step = () => 0.01 * (2 * next() - 1);
+    at = [at[0] + step(), at[1] + step(), at[2] + step()];
+    node = comb(9, at, node);
+    last = live.make(node);
+    renewed += last.renewed / last.bricks;
+  }
+  const fresh = polygonize(bindField(node), 40);
+  expect(topology(last.mesh)).toMatchObject({ watertight: true, genus: topology(fresh.mesh).genus });
+  // what drags leave, and what near lists miss
+  expect(offBy(node, last.mesh, fresh.lattice.step)).toBeLessThan(0.03);
+  console.info(`drags: ${((100 * renewed) / drags).toFixed(2)} % of the bricks renewed each`);
+  expect(renewed / drags).toBeLessThan(0.25);
+});
+
+test('trees drawn by lot, one after the other, are those made at once (30 pairs, seed 92)', () => {
+  for (let i = 0; i < 30; i++) {
+    const live = new LiveMesh(16);
+    for (const seed of [920 + i, 950 + i]) {
+      const node = randomTree(new Lot(seed), 2);
+      const { mesh } = live.make(node);
+      expect(topology(mesh), `seed ${seed}`).toMatchObject({ watertight: true, finite: true });
+    }
+  }
+});
