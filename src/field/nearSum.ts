@@ -229,18 +229,23 @@ class NearSum implements Near {
     const colour = old.colour.slice();
     const terms = this.#terms;
     const budget = Math.min(allowed * steep, MOST_MISSED * threshold) - this.error;
-    const missed = new Float64Array(terms.length);
-    for (let i = 0; i < terms.length; i++) {
-      const { field, factor } = terms[i]!;
-      const size = Math.abs(factor);
-      missed[i] = size * field.missed(x, y, z, radius, budget / size);
-    }
-    tally.work += TEST * terms.length;
-    const cut = budget > 0 ? cutFor(missed, budget) : 0;
+    const missed = missedOf(terms.length);
     const near: NearTerm[] = [];
-    let error = this.error;
     spread.fill(0);
     for (let i = 0; i < terms.length; i++) {
+      const term = terms[i]!;
+      const size = Math.abs(term.factor);
+      missed[i] = size * term.field.missed(x, y, z, radius, budget / size);
+      if (missed[i]! <= budget) continue;
+      near.push(term);
+      term.field.spread(x, y, z, radius, term.factor, spread);
+    }
+    tally.work += TEST * terms.length;
+    const cut = budget > 0 ? cutFor(missed, terms.length, budget) : 0;
+    let error = this.error;
+    let isSorted = true;
+    for (let i = 0; i < terms.length; i++) {
+      if (!(missed[i]! <= budget)) continue;
       const term = terms[i]!;
       const { field, factor } = term;
       if (missed[i]! <= cut) {
@@ -250,9 +255,11 @@ class NearSum implements Near {
         error += missed[i]! + ROUNDING * Math.abs(taylor[0]! - before);
       } else {
         near.push(term);
+        isSorted = false;
         field.spread(x, y, z, radius, factor, spread);
       }
     }
+    if (!isSorted) near.sort((a, b) => a.number - b.number);
     tally.work += (WITH_GRADIENT + TEST) * near.length;
     const scale = frame ? frame.scale : 1;
     this.#range(taylor, radius, half, off, error);
@@ -348,14 +355,22 @@ function addColour(mean: Float64Array, seen: number, colour: Colour): void {
   for (let i = 0; i < 3; i++) mean[i + 1] = mean[i + 1]! + weight * colour[i]!;
 }
 
+let missedBuffer = new Float64Array(64);
+
+/** For so many terms; the same for all cubes, one after the other. */
+function missedOf(count: number): Float64Array {
+  if (missedBuffer.length < count) missedBuffer = new Float64Array(2 * count);
+  return missedBuffer;
+}
+
 /** The largest cut for which all that is not above it adds up to no more than the budget, nearly. */
-function cutFor(missed: Float64Array, budget: number): number {
+function cutFor(missed: Float64Array, count: number, budget: number): number {
   const sumTo = (cut: number) => {
     let sum = 0;
-    for (let i = 0; i < missed.length; i++) if (missed[i]! <= cut) sum += missed[i]!;
+    for (let i = 0; i < count; i++) if (missed[i]! <= cut) sum += missed[i]!;
     return sum;
   };
-  let [low, high] = [budget / missed.length, budget];
+  let [low, high] = [budget / count, budget];
   if (sumTo(high) <= budget) return high;
   for (let i = 0; i < HALVINGS; i++) {
     const cut = Math.sqrt(low * high);

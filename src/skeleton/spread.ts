@@ -42,6 +42,16 @@ const centre = new Float64Array(4);
 /** [low, high, rest] of one skel */
 const range = new Float64Array(3);
 
+/** What `step` and `sight` are of. */
+class Last {
+  spreader: Spreader | null = null;
+  x = 0.5;
+  y = 0.5;
+  z = 0.5;
+  radius = 0.5;
+  isNothing = false;
+}
+
 export class Spreader {
   readonly #kernel: Kernel;
   readonly #exponent: number;
@@ -162,6 +172,20 @@ export class Spreader {
 
   /** Sees to the step and the sight; whether the ball is beyond the support. */
   #isNothing(x: number, y: number, z: number, radius: number): boolean {
+    // what is missed too much is asked for its spread next
+    if (last.spreader === this && last.x === x && last.y === y && last.z === z && last.radius === radius) {
+      return last.isNothing;
+    }
+    last.isNothing = this.#look(x, y, z, radius);
+    last.spreader = this;
+    last.x = x;
+    last.y = y;
+    last.z = z;
+    last.radius = radius;
+    return last.isNothing;
+  }
+
+  #look(x: number, y: number, z: number, radius: number): boolean {
     this.#see(x, y, z, radius, sight);
     const { distance, slack } = sight;
     const by = radius * this.#per * (1 + ROUNDING);
@@ -251,3 +275,5 @@ function write(out: Spread, factor: number): void {
   out[5] = out[5]! + factor * (factor > 0 ? low : high);
   out[6] = out[6]! + factor * (factor > 0 ? high : low);
 }
+
+const last = new Last();
