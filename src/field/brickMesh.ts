@@ -200,7 +200,10 @@ export class BrickMesh {
     const { near } = this.#brick;
     const point = this.#point;
     const { step } = this.#bricks.lattice;
-    const isSmooth = near.branches === 1 && point.newton(near, a, axis, step, this.#crossing(from, axis));
+    const isSmooth =
+      near.branches === 1 &&
+      point.newton(near, a, axis, step, this.#crossing(from, axis)) &&
+      point.sharpen(this.#values.whole, near.error, a, axis, step);
     if (!isSmooth) point.search(near, a, b, valueA, valueB);
     const { x, y, z, nx, ny, nz } = point;
     const branch = near.branches > 1 ? near.branch(x, y, z) : NO_BRANCH;

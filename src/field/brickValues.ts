@@ -45,7 +45,8 @@ export interface Before {
 }
 
 export class BrickValues {
-  readonly #whole: Near;
+  /** the field by all skels */
+  readonly whole: Near;
   readonly #bricks: Bricks;
   readonly #nodes: BrickNodes;
   readonly #filled: Filled[] = [];
@@ -68,7 +69,7 @@ export class BrickValues {
   ) {
     this.#before = before;
     this.#isLive = isLive;
-    this.#whole = whole;
+    this.whole = whole;
     this.#bricks = bricks;
     this.#nodes = new BrickNodes(bricks.lattice, tally);
   }
@@ -163,7 +164,7 @@ export class BrickValues {
   #asked(near: Near, c: number, known: number | null): number {
     const value = known ?? this.#nodes.value(near, c);
     if (Math.abs(value) > near.error * (1 + 1e-9)) return value;
-    const whole = near.error > 0 ? this.#nodes.value(this.#whole, c) : value;
+    const whole = near.error > 0 ? this.#nodes.value(this.whole, c) : value;
     return Number.isNaN(whole) ? -LEAST : whole;
   }
 
