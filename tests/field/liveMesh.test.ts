@@ -114,7 +114,7 @@ test(`${FULL ? '10,000' : '300'} small drags are no worse than one (seed 91)`, (
   expect(offBy(node, last.mesh, fresh.lattice.step)).toBeLessThan(0.03);
   console.info(`drags: ${((100 * renewed) / drags).toFixed(2)} % of the bricks renewed each`);
   expect(renewed / drags).toBeLessThan(0.25);
-});
+}, 300_000);
 
 test('trees drawn by lot, one after the other, are those made at once (30 pairs, seed 92)', () => {
   for (let i = 0; i < 30; i++) {
