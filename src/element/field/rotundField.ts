@@ -120,8 +120,8 @@ export class RotundField extends LitElement {
       fine: false,
       show: (scene) => this.#show(scene),
       lose: () => {
-        this.body.device = null;
         this.stage.detach();
+        this.body.device = null;
         this.#say(FIELD_WORDS.lost);
       },
       withoutScene: (error) => {
