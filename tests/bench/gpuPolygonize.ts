@@ -4,7 +4,9 @@
  */
 import { bindField } from '../../src/field/bind.ts';
 import { type Lattice, nodeCount } from '../../src/field/lattice.ts';
+import type { FieldNode } from '../../src/field/node.ts';
 import type { PackedBricks } from '../../src/field/packedBricks.ts';
+import { type Located, locating } from '../../src/field/polygonize.ts';
 import { dispatch } from '../../src/gpu/dispatch.ts';
 import { Buffers } from '../../src/gpu/polygonize/buffers.ts';
 import { encodeField, uploadField } from '../../src/gpu/polygonize/encode.ts';
@@ -14,6 +16,7 @@ import { stagesOn } from '../../src/gpu/polygonize/stages.ts';
 import { programOf } from '../../src/gpu/program.ts';
 import { askedOf, bricksOf } from '../fixtures/bricks.ts';
 import { valueOnly } from './gpuTiming.ts';
+import { timeKravtsovOnGpu } from './kravtsov.ts';
 import { sceneNode } from './scenes/index.ts';
 import { rounded } from './timing.ts';
 
@@ -52,6 +55,29 @@ export async function timePolygonizer(device: GPUDevice): Promise<void> {
       'near a brick': rounded(askedOf(bricks) / bricks.active.length),
     },
   ]);
+}
+
+/** Kravtsov's table: from the tree to a mesh that can be drawn, culling and lists by the CPU counted in. */
+export async function timeKravtsov(device: GPUDevice): Promise<void> {
+  const polygonizer = gpuPolygonizer(device);
+  await timeKravtsovOnGpu(async (node, cells) => {
+    const { ms } = await least(ROUNDS, async () => {
+      const { bricks } = located(node, cells);
+      const mesh = await polygonizer.whole(node, bricks);
+      await device.queue.onSubmittedWorkDone();
+      mesh.destroy();
+    });
+    return ms;
+  });
+  polygonizer.destroy();
+}
+
+function located(node: FieldNode, cells: number): Located {
+  const steps = locating(bindField(node), cells);
+  for (;;) {
+    const { done, value } = steps.next();
+    if (done) return value;
+  }
 }
 
 /** Values come back, as from any field; that is a small part of it. */
