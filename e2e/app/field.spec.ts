@@ -6,6 +6,9 @@ import { readPicture } from '../picture.ts';
 /** what a software adapter and two cores make in no time */
 const COARSE = '#resolution=32';
 
+/** it compiles what it has not compiled yet */
+const PATIENT = { timeout: 60_000 };
+
 async function open(page: Page, address: string): Promise<void> {
   await page.goto(address);
   await expect(page.locator('rotund-field')).toHaveAttribute('data-backend', /WebG/);
@@ -16,8 +19,8 @@ async function open(page: Page, address: string): Promise<void> {
 const body = (page: Page) =>
   page.evaluate(() => {
     const { made, problem } = document.querySelector('rotund-field')!.body;
-    const { id, difference } = made ?? { id: 0, difference: null };
-    return { id, triangles: (made?.mesh.indices.length ?? 0) / 3, difference, problem };
+    const { id, triangles, maker } = made ?? { id: 0, triangles: 0, maker: '' };
+    return { id, triangles, maker, onDevice: made !== null && 'draw' in made.mesh, problem };
   });
 
 /** Share of the free picture that is neither paper nor grey: orange fur. */
@@ -61,21 +64,46 @@ test('a body appears in colour, a slider changes it, the address keeps it', asyn
   await expect.poll(async () => (await body(page)).triangles).toBe(first.triangles);
 });
 
-test('on the graphics device it is the same body', async ({ page }) => {
+test('on the graphics device it is the same body, drawn where it lies', async ({ page }) => {
   await open(page, `/field.html${COARSE}`);
   const onCpu = await body(page);
-  expect(onCpu.difference).toBeNull();
+  expect(onCpu).toMatchObject({ onDevice: false, maker: 'CPU, worker' });
   await expect(page.locator('.status')).toContainText(
     /CPU, worker · \d+ × \d+ × \d+ cells · \d+( k)? evaluations · \d+ ms/,
   );
+  const orange = await coloured(page);
   await page.getByRole('radio', { name: 'GPU' }).click();
-  await expect.poll(async () => (await body(page)).id).toBeGreaterThan(onCpu.id);
-  const onGpu = await body(page);
-  expect(onGpu.triangles).toBe(onCpu.triangles);
-  expect(onGpu.difference).toBeLessThan(1e-4);
-  // what was not taken there has no difference at all
-  expect(onGpu.difference).not.toBeNull();
-  await expect(page.locator('.status')).toContainText('GPU float32, off by');
+  await expect.poll(async () => (await body(page)).id, PATIENT).toBeGreaterThan(onCpu.id);
+  expect(await body(page)).toMatchObject({ onDevice: true, triangles: onCpu.triangles });
+  await expect(page.locator('.status')).toContainText(/GPU, float32 · \d+ × \d+ × \d+ cells/);
+  expect(Math.abs((await coloured(page)) / orange - 1)).toBeLessThan(0.02);
+
+  // a slider goes on from there
+  const before = await body(page);
+  await page.getByRole('slider', { name: 'Radius', exact: true }).first().press('ArrowRight');
+  await expect.poll(async () => (await body(page)).triangles, PATIENT).not.toBe(before.triangles);
+  expect(await body(page)).toMatchObject({ onDevice: true, problem: null });
+});
+
+test('what has sharp edges the worker makes, and says so', async ({ page }) => {
+  await open(page, '/field.html#skeleton=segment&operation=union&resolution=32&where=gpu');
+  await expect(page.locator('.status')).toContainText('CPU, worker: the body has sharp edges');
+  expect(await body(page)).toMatchObject({ onDevice: false });
+});
+
+test('the body comes back after its device was lost', async ({ page }) => {
+  await open(page, `/field.html${COARSE}&where=gpu`);
+  await expect.poll(async () => (await body(page)).onDevice, PATIENT).toBe(true);
+  const { triangles } = await body(page);
+  await page.evaluate(() => document.querySelector('rotund-field')!.stage.scene!.device!.destroy());
+  await expect.poll(async () => (await body(page)).onDevice, PATIENT).toBe(false);
+  await expect
+    .poll(async () => {
+      const now = await body(page);
+      return now.triangles;
+    }, PATIENT)
+    .toBe(triangles);
+  expect((await body(page)).problem).toBeNull();
 });
 
 test('what has no field is told, and the last body stays', async ({ page }) => {
@@ -125,6 +153,8 @@ test('without WebGPU, on a phone, in the dark: the same body, and nothing axe wo
   await open(page, '/field.html?backend=webgl2#skeleton=crossed&operation=union&resolution=40');
   await expect(page.locator('.status')).toContainText('WebGL2, slower');
   expect((await body(page)).triangles).toBeGreaterThan(1500);
+  // there is no device that could make it
+  await expect(page.getByRole('radio', { name: 'GPU' })).toHaveCount(0);
   const { violations } = await new AxeBuilder({ page }).analyze();
   expect(violations).toEqual([]);
   await page.getByRole('button', { name: 'Hide the controls' }).click();

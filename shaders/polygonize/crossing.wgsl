@@ -10,9 +10,9 @@ const STEPS = 16u;
 // from here on every other one halves what is left: beside an axis where the field is nearly infinite Newton's come no nearer
 const NEWTONS = 4u;
 // parts of the edge: after a step that is shorter the place is right to its square
-const CLOSE = 0.02;
+const CLOSE = 0.01;
 // parts of the edge that are kept from its ends: edges that meet at a node must not put their vertices into one place
-const ENDS = 1e-3;
+const ENDS = 1e-4;
 
 // From `start` by way of `middle` to `end`: straight for edges of the lattice.
 struct Search {

@@ -30,7 +30,7 @@ const HELP: Option = { name: 'help', short: 'h', help: 'print this help' };
 const BACKEND: Option = {
   name: 'backend',
   value: 'cpu|gpu',
-  help: 'what computes the meshes of bodies (cpu); gpu does not exist yet',
+  help: 'what computes the meshes of bodies: cpu in float64, gpu in float32 through the package webgpu (cpu)',
 };
 
 const DRAWING = 'IN is a drawing (.rotund) or a script of commands; - reads standard input.';

@@ -3,7 +3,7 @@ import { hasSurface, type Resolution, type Solid, solidOf } from '../document/bu
 import { type Document, isBody, type Part } from '../document/document.ts';
 import { ExportError, modelOf, type OutFile } from '../export/index.ts';
 import { type Args, inputOf } from './args.ts';
-import { type BodyMaker, bodyMaker } from './bodyMaker.ts';
+import { type BodyMaker, withBodyMaker } from './bodyMaker.ts';
 import { MESH } from './commands.ts';
 import { readInput } from './input.ts';
 import { measuresOf, type PartMeasures, total } from './measures.ts';
@@ -20,20 +20,21 @@ export async function mesh(args: Args): Promise<void> {
   const out = outputOf(values.output, MESH.synopsis);
   const exporter = exporterOf(out);
   const quads = surfaceResolution(values['surface-resolution']);
-  const make = bodyMaker(backend(values.backend));
+  const computing = backend(values.backend);
   const cells = resolution(values.resolution);
   checkOutput(out, input);
   const { drawing, name } = await readInput(input);
   const { document } = drawing;
-  const building = { name, quads, cells, make };
-  const { parts, fieldEvaluations } = await measuredParts(document, building);
+  const { parts, fieldEvaluations } = await withBodyMaker(computing, (make) =>
+    measuredParts(document, { name, quads, cells, make }),
+  );
   if (parts.length === 0) throw new Problem(`${name}: nothing to export: ${nothingBecause(document)}`);
   const files = await exporter.write(modelOf(document, stemOf(out), quads)).catch((error: unknown) => {
     throw error instanceof ExportError ? new Problem(`${name}: ${error.message}`) : error;
   });
   writeOutputs(placed(files, out, input));
   const milliseconds = Math.round(performance.now() - started);
-  result({ ...total(parts), milliseconds, fieldEvaluations, parts });
+  result({ ...total(parts), milliseconds, fieldEvaluations: Math.round(fieldEvaluations), parts });
 }
 
 interface Building {
@@ -78,6 +79,7 @@ async function built(part: Part, { name, quads, cells, make }: Building): Promis
     const evaluations = isBody(part) ? (await make(part.node, cells)).evaluations : 0;
     return { solid: solidOf(part, quads), evaluations };
   } catch (error) {
+    if (error instanceof Problem) throw error;
     const reason = error instanceof Error ? error.message : String(error);
     throw new Problem(`${name}, part “${part.name}”: its surface cannot be built: ${reason}`);
   }

@@ -75,6 +75,10 @@ export function* culling(whole: Near, lattice: Lattice): Generator<number, Brick
   return { lattice, counts, active, grid };
 }
 
+/** Whether smooth fields meet in it, in edges. */
+export const hasCreases = ({ active }: Pick<Bricks, 'active'>): boolean =>
+  active.some(({ near }) => near.branches > 1);
+
 type At = Pick<Brick, 'i' | 'j' | 'k'>;
 
 const numberOf = ([nx, ny]: Vec3, { i, j, k }: At): number => i + nx * (j + ny * k);

@@ -15,7 +15,7 @@ const UNSURE = 0.12;
 /** of the way to the nearer end: less than a half, for edges that meet there */
 const BESIDE = 0.49;
 /** parts of the edge that are kept from its ends: edges that meet at a node must not put their vertices into one place */
-const ENDS = 1e-3;
+const ENDS = 1e-4;
 
 /** Position and unit normal, out of where the field is positive; the normal is 0 where the field has no slope. */
 export class EdgePoint {

@@ -1,8 +1,9 @@
 /** What a page and the worker that makes its bodies say to each other. Plain data; the large arrays are handed over. */
-
+import type { Box } from '../skeleton/skeleton.ts';
 import type { FieldMesh } from './brickMesh.ts';
 import type { Lattice } from './lattice.ts';
 import type { FieldNode } from './node.ts';
+import type { PackedBricks } from './packedBricks.ts';
 
 /** A body that is wanted; one that was wanted before is given up. */
 export interface Make {
@@ -12,15 +13,8 @@ export interface Make {
   readonly node: FieldNode;
   /** cells along the longest side */
   readonly resolution: number;
-  /** who takes the values on the lattice: the worker, or the page, which is asked for them */
-  readonly values: 'worker' | 'page';
-}
-
-/** The answer to `Wanted`; null where there are none: the worker takes its own. */
-export interface Values {
-  readonly type: 'values';
-  readonly id: number;
-  readonly values: Float32Array | null;
+  /** who makes the mesh: the worker, or the page on its graphics device, which gets bricks for it */
+  readonly mesh: 'worker' | 'page';
 }
 
 /** Nothing is wanted any more, until the next `Make`. */
@@ -30,33 +24,41 @@ export interface Stop {
   readonly id: number;
 }
 
-export type ToWorker = Make | Values | Stop;
+export type ToWorker = Make | Stop;
 
-/** 0–1 of the step under way: fitting, sampling, meshing */
+/** 0–1 of the step under way: fitting, culling, meshing */
 interface Progress {
   readonly type: 'progress';
   readonly id: number;
   readonly share: number;
 }
 
-/** The page is to send the values on this lattice. */
-export interface Wanted {
-  readonly type: 'wanted';
-  readonly id: number;
-  readonly lattice: Lattice;
-}
-
-export interface Made {
-  readonly type: 'made';
+interface Step {
   readonly id: number;
   /** coarse, to be looked at until the fine one is there */
   readonly draft: boolean;
+  /** work so far, in values of one skel at one point (skeleton/work.ts) */
+  readonly evaluations: number;
+  readonly milliseconds: number;
+}
+
+/** The page is to make the mesh of these. */
+export interface Located extends Step {
+  readonly type: 'bricks';
+  readonly node: FieldNode;
+  readonly bricks: PackedBricks;
+  /** around all that is inside, mm */
+  readonly box: Box;
+  /** what each vertex adds to the work */
+  readonly workAVertex: number;
+}
+
+export interface Made extends Step {
+  readonly type: 'made';
   readonly mesh: FieldMesh;
   readonly lattice: Lattice;
-  readonly evaluations: number;
-  /** largest difference of the page's values from the worker's own, among some nodes; null where it took them all itself */
-  readonly difference: number | null;
-  readonly milliseconds: number;
+  /** whether smooth pieces of it meet in edges: such bodies the worker makes, whoever was to */
+  readonly hasCreases: boolean;
 }
 
 /** The tree has no field or no surface, in words with the place. */
@@ -66,4 +68,4 @@ interface Refused {
   readonly message: string;
 }
 
-export type FromWorker = Progress | Wanted | Made | Refused;
+export type FromWorker = Progress | Located | Made | Refused;

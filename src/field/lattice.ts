@@ -1,7 +1,4 @@
-/**
- * A regular lattice of points around a body, and a field's values there. Kept apart from what is made of the values, so that
- * they may come from elsewhere, such as the GPU. Node (i, j, k) is number i + nx (j + ny k).
- */
+/** A regular lattice of points around a body. Node (i, j, k) is number i + nx (j + ny k). */
 import type { Vec3 } from '../math/vec.ts';
 import { type Box, FieldError } from '../skeleton/skeleton.ts';
 
@@ -13,14 +10,6 @@ export interface Lattice {
   /** nodes along x, y, z */
   readonly counts: readonly [x: number, y: number, z: number];
 }
-
-/** What values are taken of. */
-interface Valued {
-  value(x: number, y: number, z: number): number;
-}
-
-/** of each node; float64 from the CPU, float32 from the GPU */
-export type LatticeValues = Float64Array | Float32Array;
 
 /** cells of a brick along each side: lattices have whole ones */
 export const BRICK = 4;
@@ -63,61 +52,4 @@ function cellsOf(resolution: number): number {
 
 export function nodeCount({ counts }: Lattice): number {
   return counts[0] * counts[1] * counts[2];
-}
-
-/** x, y, z of every node, for evaluators that take lists. */
-export function latticePoints(lattice: Lattice): Float32Array {
-  const { origin, step, counts } = lattice;
-  const points = new Float32Array(3 * nodeCount(lattice));
-  eachRow(lattice, 0, counts[2], (first, y, z) => {
-    for (let i = 0, at = 3 * first; i < counts[0]; i++) {
-      points[at++] = origin[0] + i * step;
-      points[at++] = y;
-      points[at++] = z;
-    }
-  });
-  return points;
-}
-
-/** nodes at which values are compared */
-const SAMPLES = 256;
-
-/** How far values from elsewhere are from the field's at most, among some nodes; in parts of the value where that is above 1. */
-export function largestDifference(field: Valued, lattice: Lattice, values: LatticeValues): number {
-  const { origin, step, counts } = lattice;
-  const apart = Math.max(1, Math.floor(values.length / SAMPLES));
-  let most = 0;
-  for (let node = 0; node < values.length; node += apart) {
-    const row = Math.floor(node / counts[0]);
-    const [i, j, k] = [node % counts[0], row % counts[1], Math.floor(row / counts[1])];
-    const exact = field.value(origin[0] + i * step, origin[1] + j * step, origin[2] + k * step);
-    most = Math.max(most, Math.abs(values[node]! - exact) / Math.max(1, Math.abs(exact)));
-  }
-  return most;
-}
-
-/** Evaluates layer by layer and yields what share of them is done. */
-export function* sampling(field: Valued, lattice: Lattice): Generator<number, Float64Array> {
-  const { origin, step, counts } = lattice;
-  const values = new Float64Array(nodeCount(lattice));
-  for (let k = 0; k < counts[2]; k++) {
-    eachRow(lattice, k, k + 1, (first, y, z) => {
-      for (let i = 0; i < counts[0]; i++) values[first + i] = field.value(origin[0] + i * step, y, z);
-    });
-    yield (k + 1) / counts[2];
-  }
-  return values;
-}
-
-function eachRow(
-  { origin, step, counts }: Lattice,
-  from: number,
-  to: number,
-  visit: (first: number, y: number, z: number) => void,
-): void {
-  for (let k = from; k < to; k++) {
-    for (let j = 0; j < counts[1]; j++) {
-      visit(counts[0] * (j + counts[1] * k), origin[1] + j * step, origin[2] + k * step);
-    }
-  }
 }

@@ -45,21 +45,25 @@ export interface Located {
   readonly whole: Near;
   readonly tally: Tally;
   readonly bricks: Bricks;
+  /** around all that is inside of them */
+  readonly box: Box;
 }
 
 /**
  * `resolution` cells along the longest side of the body in `box`, which is fitted to the body, and grown where the body leaves
- * it. Without a box the body has no end, and is cut off at `PAGE`. FieldError for a box of no finite numbers.
+ * it. Without a box the body has no end, and is cut off at `PAGE`. `first`: what was located already. FieldError for a box of no finite
+ * numbers.
  */
 export function* polygonizing(
   field: TreeField,
   resolution: number,
   box: Box | null = field.box,
+  first: Located | null = null,
 ): Generator<number, Polygonized> {
   let within = box;
   let before = 0;
   for (let round = 0; ; round++) {
-    const located = yield* locating(field, resolution, within);
+    const located = (round === 0 && first) || (yield* locating(field, resolution, within));
     const { mesh, leaves } = yield* meshing(located);
     const larger = within && round < ROUNDS ? grownWhere(within, leaves) : null;
     const { bricks, tally } = located;
@@ -81,7 +85,8 @@ export function* locating(
   // a lattice where nothing is makes an empty mesh
   const around = box && ((yield* fitting(whole, box)) ?? box);
   const lattice = around ? latticeAround(around, resolution) : latticeOver(PAGE, resolution);
-  return { whole, tally, bricks: yield* culling(whole, lattice) };
+  const end = { min: [-PAGE, -PAGE, -PAGE], max: [PAGE, PAGE, PAGE] } as const;
+  return { whole, tally, bricks: yield* culling(whole, lattice), box: around ?? end };
 }
 
 /** The mesh of all bricks, and whether it was cut off at each side of the lattice: −x, x, −y, y, −z, z. */

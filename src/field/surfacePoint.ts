@@ -17,7 +17,7 @@ const SMALL = 0.05;
 /** parts of the edge: a longer step of Newton's is none */
 const POLISH = 0.05;
 /** Parts of the edge that are kept from its ends: edges that meet at a node must not put their vertices into one place. */
-const ENDS = 1e-3;
+const ENDS = 1e-4;
 
 /** What is looked at along an edge. */
 export interface Crossed {

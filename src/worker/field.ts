@@ -1,11 +1,16 @@
 /**
- * Makes the bodies of fields beside the page, coarse ones first, each of which stays on the page until the next is whole. The latest
+ * Makes the bodies of fields beside the page, or the bricks from which its graphics device makes them; coarse ones first, each of which
+ * stays on the page until the next is whole. The latest
  * wish wins: work is cut into slices, between which messages are heard, and what is no longer wanted is given up. Only the
  * coarsest is finished as long as anything is wanted, so that a slider that is being dragged is followed.
  */
 import { bindField } from '../field/bind.ts';
-import type { FromWorker, Make, ToWorker } from '../field/fieldWork.ts';
-import { type Polygonized, polygonizing } from '../field/polygonize.ts';
+import { hasCreases } from '../field/bricks.ts';
+import type { FromWorker, Made, Make, ToWorker } from '../field/fieldWork.ts';
+import { type Located, locating, type Polygonized, polygonizing } from '../field/polygonize.ts';
+import type { TreeField } from '../field/treeField.ts';
+import { packBricks } from '../gpu/polygonize/lists.ts';
+import { gpuWork } from '../gpu/polygonize/work.ts';
 
 /** What this file needs of the scope of a worker, whose types cannot be there beside those of a page. */
 interface Scope {
@@ -27,7 +32,6 @@ let latest = 0;
 let working = false;
 
 scope.onmessage = ({ data }) => {
-  if (data.type === 'values') return;
   wish = data.type === 'make' ? data : null;
   latest = data.id;
   if (wish && !working) void work();
@@ -47,19 +51,31 @@ async function work(): Promise<void> {
   working = false;
 }
 
-async function make({ id, node, resolution }: Make): Promise<void> {
+async function make(job: Make): Promise<void> {
+  const { id, node, resolution } = job;
   const field = bindField(node);
   const isLatest = () => id === latest;
-  for (const [i, cells] of draftsBefore(resolution).entries()) {
-    const wanted = () => isLatest() || (i === 0 && wish !== null);
+  const levels = [...draftsBefore(resolution), resolution];
+  for (const [i, cells] of levels.entries()) {
+    const draft = i < levels.length - 1;
+    const wanted = () => isLatest() || (draft && i === 0 && wish !== null);
     const start = performance.now();
-    const draft = await sliced(id, polygonizing(field, cells), wanted);
-    if (draft) hand(id, true, draft, null, start);
+    const step = await sliced(id, stepping(job, field, cells), wanted);
+    const rest = () => ({ id, draft, milliseconds: performance.now() - start });
+    if (step) hand('mesh' in step ? handed(step, rest) : handedBricks(step, job, rest));
     if (!isLatest()) return;
   }
-  const start = performance.now();
-  const made = await sliced(id, polygonizing(field, resolution), isLatest);
-  if (made) hand(id, false, made, null, start);
+}
+
+/** A mesh; or, where the page makes it and it has no creases, which graphics devices would cut off, the bricks of it. */
+function* stepping(
+  { mesh }: Make,
+  field: TreeField,
+  cells: number,
+): Generator<number, Polygonized | Located> {
+  if (mesh === 'worker') return yield* polygonizing(field, cells);
+  const located = yield* locating(field, cells);
+  return hasCreases(located.bricks) ? yield* polygonizing(field, cells, field.box, located) : located;
 }
 
 /** Cells of what is shown on the way: some, then half as many as in the end, a quarter of the work. */
@@ -83,18 +99,28 @@ async function sliced<T>(id: number, work: Generator<number, T>, wanted: () => b
   }
 }
 
-function hand(
-  id: number,
-  draft: boolean,
-  { mesh, lattice, evaluations }: Polygonized,
-  difference: number | null,
-  start: number,
-): void {
-  const milliseconds = performance.now() - start;
+type Rest = () => Pick<Made, 'id' | 'draft' | 'milliseconds'>;
+type Handed = readonly [message: FromWorker, transfer: readonly ArrayBufferLike[]];
+
+function hand([message, transfer]: Handed): void {
+  scope.postMessage(message, transfer);
+}
+
+function handed({ mesh, bricks, evaluations }: Polygonized, rest: Rest): Handed {
   const { positions, normals, uvs, indices, colours } = mesh;
   const arrays = [positions, normals, uvs, indices, colours].map(({ buffer }) => buffer);
-  const made = { mesh, lattice, evaluations, difference, milliseconds };
-  scope.postMessage({ type: 'made', id, draft, ...made }, arrays);
+  const facts = { lattice: bricks.lattice, evaluations, hasCreases: hasCreases(bricks) };
+  return [{ type: 'made', mesh, ...facts, ...rest() }, arrays];
+}
+
+function handedBricks({ bricks, box, tally }: Located, { node }: Make, rest: Rest): Handed {
+  const packed = packBricks(node, bricks);
+  const { nodes, aVertex } = gpuWork(bricks);
+  const facts = { box, evaluations: tally.work + nodes, workAVertex: aVertex };
+  return [
+    { type: 'bricks', node, bricks: packed, ...facts, ...rest() },
+    [packed.grid.buffer, packed.lists.buffer],
+  ];
 }
 
 function say(message: FromWorker): void {

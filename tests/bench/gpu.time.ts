@@ -1,10 +1,20 @@
-/** Fields on the GPU, by Dawn in Node on whatever adapter it finds; says which. */
+/**
+ * Fields on the GPU, by Dawn in Node on whatever adapter it finds; says which. `ROTUND_TABLES=polygonizer,kravtsov` chooses.
+ */
 import { create } from 'webgpu';
 import { openDevice } from '../../src/gpu/device.ts';
-import { timePolygonizer } from './gpuPolygonize.ts';
+import { timeKravtsov, timePolygonizer } from './gpuPolygonize.ts';
 import { timePolygons } from './gpuPolygons.ts';
 import { timeSkels } from './gpuSkels.ts';
 import { timeTrees } from './gpuTrees.ts';
+
+const TABLES: Readonly<Record<string, (device: GPUDevice) => Promise<void>>> = {
+  skels: timeSkels,
+  polygons: timePolygons,
+  trees: timeTrees,
+  polygonizer: timePolygonizer,
+  kravtsov: timeKravtsov,
+};
 
 // has to stay referenced while the device lives
 const dawn: { gpu: GPU | null } = { gpu: create([]) as GPU };
@@ -13,10 +23,8 @@ if ('reason' in opened) {
   console.log(`No graphics adapter: ${opened.reason}`);
 } else {
   console.log(`Fields on ${opened.description.adapter}`);
-  await timeSkels(opened.device);
-  await timePolygons(opened.device);
-  await timeTrees(opened.device);
-  await timePolygonizer(opened.device);
+  const chosen = process.env.ROTUND_TABLES?.split(',') ?? Object.keys(TABLES);
+  for (const name of chosen) await TABLES[name]?.(opened.device);
   opened.release();
 }
 dawn.gpu = null;

@@ -3,16 +3,20 @@
  * all nodes of the lattice on the same adapter; then all stages of the mesh. Culling and lists are the CPU's and timed apart.
  */
 import { bindField } from '../../src/field/bind.ts';
-import { type Lattice, latticePoints } from '../../src/field/lattice.ts';
+import { type Lattice, nodeCount } from '../../src/field/lattice.ts';
+import type { FieldNode } from '../../src/field/node.ts';
+import type { PackedBricks } from '../../src/field/packedBricks.ts';
+import { type Located, locating } from '../../src/field/polygonize.ts';
 import { dispatch } from '../../src/gpu/dispatch.ts';
 import { Buffers } from '../../src/gpu/polygonize/buffers.ts';
 import { encodeField, uploadField } from '../../src/gpu/polygonize/encode.ts';
-import { type PackedBricks, packBricks } from '../../src/gpu/polygonize/lists.ts';
+import { packBricks } from '../../src/gpu/polygonize/lists.ts';
 import { gpuPolygonizer } from '../../src/gpu/polygonize/polygonizer.ts';
 import { stagesOn } from '../../src/gpu/polygonize/stages.ts';
 import { programOf } from '../../src/gpu/program.ts';
 import { askedOf, bricksOf } from '../fixtures/bricks.ts';
 import { valueOnly } from './gpuTiming.ts';
+import { timeKravtsovOnGpu } from './kravtsov.ts';
 import { sceneNode } from './scenes/index.ts';
 import { rounded } from './timing.ts';
 
@@ -53,17 +57,49 @@ export async function timePolygonizer(device: GPUDevice): Promise<void> {
   ]);
 }
 
+/** Kravtsov's table: from the tree to a mesh that can be drawn, culling and lists by the CPU counted in. */
+export async function timeKravtsov(device: GPUDevice): Promise<void> {
+  const polygonizer = gpuPolygonizer(device);
+  await timeKravtsovOnGpu(async (node, cells) => {
+    const { ms } = await least(ROUNDS, async () => {
+      const { bricks } = located(node, cells);
+      const mesh = await polygonizer.whole(node, bricks);
+      await device.queue.onSubmittedWorkDone();
+      mesh.destroy();
+    });
+    return ms;
+  });
+  polygonizer.destroy();
+}
+
+function located(node: FieldNode, cells: number): Located {
+  const steps = locating(bindField(node), cells);
+  for (;;) {
+    const { done, value } = steps.next();
+    if (done) return value;
+  }
+}
+
 /** Values come back, as from any field; that is a small part of it. */
 async function denseTime(device: GPUDevice): Promise<number> {
   const { bound, pipeline } = await valueOnly(device, NODE);
-  const points = latticePoints(LATTICE);
-  const layer = 3 * LATTICE.counts[0] * LATTICE.counts[1];
-  const some = points.filter((_, i) => Math.floor(i / layer) % LAYERS === 0);
+  const some = layersOf(LATTICE);
   // the first run compiles on some drivers
-  await dispatch(device, bound, pipeline, points.subarray(0, 3));
+  await dispatch(device, bound, pipeline, some.subarray(0, 3));
   const { ms } = await least(1, () => dispatch(device, bound, pipeline, some));
   bound.destroy();
-  return (ms * points.length) / some.length;
+  return (ms * 3 * nodeCount(LATTICE)) / some.length;
+}
+
+/** x, y, z of the nodes of some layers. */
+function layersOf({ origin, step, counts }: Lattice): Float32Array {
+  const [nx, ny, nz] = counts;
+  const layers = Math.ceil(nz / LAYERS);
+  return Float32Array.from({ length: 3 * nx * ny * layers }, (_, i) => {
+    const node = Math.floor(i / 3);
+    const at = [node % nx, Math.floor(node / nx) % ny, LAYERS * Math.floor(node / (nx * ny))];
+    return origin[i % 3]! + at[i % 3]! * step;
+  });
 }
 
 /** The values of all nodes of active bricks, once lists are on the device. */

@@ -50,7 +50,7 @@ const WRONG: readonly (readonly [args: string, ...names: string[]])[] = [
   ['mesh ball.rotund -o nowhere/x.obj', 'nowhere', 'does not exist'],
   ['mesh ball.rotund -o old.obj/x.obj', 'old.obj', 'not a folder'],
   ['mesh ball.rotund -o folder.obj', 'found a folder'],
-  ['mesh ball.rotund -o x.obj --backend gpu', '--backend gpu', 'does not exist yet'],
+  ['mesh ball.rotund -o x.obj --backend gpu', '--backend gpu', 'webgpu'],
   ['mesh ball.rotund -o x.obj --backend tpu', '--backend', 'tpu'],
   ['mesh ball.rotund -o x.obj --resolution 12.5', '--resolution', '12.5'],
   ['mesh ball.rotund -o x.obj --resolution -5', '--resolution', '-5'],

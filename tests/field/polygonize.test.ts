@@ -1,14 +1,7 @@
 /** The dense polygonizer against what is known without it: volumes, areas, genus, radii by bisection. */
 import { describe, expect, test } from 'vitest';
 import { bindField } from '../../src/field/bind.ts';
-import {
-  largestDifference,
-  latticeAround,
-  latticeOver,
-  latticePoints,
-  nodeCount,
-  RESOLUTION,
-} from '../../src/field/lattice.ts';
+import { latticeAround, latticeOver, RESOLUTION } from '../../src/field/lattice.ts';
 import { type Near, Tally } from '../../src/field/near.ts';
 import type { FieldNode } from '../../src/field/node.ts';
 import { PAGE, polygonize } from '../../src/field/polygonize.ts';
@@ -244,17 +237,5 @@ describe('boxes and lattices', () => {
     const { mesh } = made(sphere(10 * scale), 16);
     expectSolid(mesh);
     expect(volume(mesh) / scale ** 3 / volume(made(sphere(10), 16).mesh)).toBeCloseTo(1, 4);
-  });
-
-  test('points are those that values are taken at', () => {
-    const field = bindField(body());
-    const lattice = latticeAround({ min: [-5, -4, -3], max: [6, 7, 8] }, 12);
-    const points = latticePoints(lattice);
-    const values = Float64Array.from({ length: nodeCount(lattice) }, (_, i) =>
-      field.value(points[3 * i]!, points[3 * i + 1]!, points[3 * i + 2]!),
-    );
-    expect(largestDifference(field, lattice, values)).toBeLessThan(1e-6);
-    const wrong = values.map((value) => value + 0.01);
-    expect(largestDifference(field, lattice, wrong)).toBeCloseTo(0.01, 4);
   });
 });

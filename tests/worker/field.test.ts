@@ -1,8 +1,6 @@
 /** The worker as its page hears it: a draft, then the body; the latest wish wins. */
 import { beforeAll, beforeEach, describe, expect, test, vi } from 'vitest';
-import { bindField } from '../../src/field/bind.ts';
-import type { FromWorker, Made, Make, ToWorker } from '../../src/field/fieldWork.ts';
-import { latticePoints, nodeCount } from '../../src/field/lattice.ts';
+import type { FromWorker, Located, Made, Make, ToWorker } from '../../src/field/fieldWork.ts';
 import type { FieldNode } from '../../src/field/node.ts';
 import { random } from '../fixtures/random.ts';
 
@@ -20,16 +18,13 @@ const scope: {
 const say = (data: ToWorker) => scope.onmessage!({ data });
 const sphere: FieldNode = { type: 'shape', shape: { type: 'sphere', radius: 10 } };
 const wish = (id: number, more: Partial<Make> = {}) =>
-  say({ type: 'make', id, node: sphere, resolution: 24, values: 'worker', ...more });
+  say({ type: 'make', id, node: sphere, resolution: 24, mesh: 'worker', ...more });
 const of = (id: number) => heard.filter((message) => message.id === id);
-const wanted = (id: number) =>
-  vi.waitFor(() => {
-    const last = of(id).at(-1);
-    if (last?.type !== 'wanted') throw new Error('not yet');
-    return last.lattice;
-  });
-/** about a body: there is air around it, and a node more than cells */
-const cellsOf = ({ lattice }: Made) => Math.max(...lattice.counts) - 4;
+/** about a body, of whole bricks: there is one of air around it, and a node more than cells */
+const cellsOf = (step: Made | Located) => {
+  const { counts } = step.type === 'made' ? step.lattice : step.bricks.lattice;
+  return Math.max(...counts) - 5;
+};
 const made = (id: number) =>
   vi.waitFor(() => {
     const found = heard.find((message) => message.id === id && message.type === 'made' && !message.draft);
@@ -133,62 +128,51 @@ describe('the worker', () => {
     await made(7);
   });
 
-  test('takes values from the page, or its own where the page has none', async () => {
-    wish(8);
-    const own = await made(8);
-    wish(9, { values: 'page' });
-    const asked = await wanted(9);
-    expect(asked).toEqual(own.lattice);
-    say({ type: 'values', id: 9, values: null });
-    expect(await made(9)).toMatchObject({ mesh: { indices: own.mesh.indices }, difference: null });
-
-    wish(10, { values: 'page' });
-    await wanted(10);
-    say({ type: 'values', id: 10, values: new Float32Array(nodeCount(asked)).fill(-1) });
-    expect((await made(10)).mesh.indices.length).toBe(0);
+  test('hands bricks to a page that makes the mesh, coarse ones first, each with its box', async () => {
+    wish(8, { mesh: 'page', resolution: 104 });
+    const all = await vi.waitFor(() => {
+      const found = of(8).filter((message) => message.type === 'bricks');
+      expect(found.at(-1)).toMatchObject({ draft: false });
+      return found;
+    }, 15_000);
+    expect(of(8).some(({ type }) => type === 'made')).toBe(false);
+    expect(all.map(cellsOf)).toEqual([28, 52, 104]);
+    for (const { bricks, box, node } of all) {
+      expect(node).toEqual(sphere);
+      for (const axis of [0, 1, 2] as const) {
+        expect(box.min[axis]).toBeLessThanOrEqual(-10);
+        expect(box.max[axis]).toBeGreaterThanOrEqual(10);
+        expect(box.max[axis] - box.min[axis]).toBeLessThan(1.1 * 20);
+      }
+      // the surface is in none of the others
+      expect([...bricks.grid].filter((place) => place >= 0).length).toBe(bricks.count);
+      expect(bricks.count).toBeGreaterThan(0);
+    }
   });
 
-  test('tells how far the page’s values are off, of that body', async () => {
-    const exact = bindField(sphere);
-    wish(11, { values: 'page' });
-    const points = latticePoints(await wanted(11));
-    const values = Float32Array.from(
-      { length: points.length / 3 },
-      (_, i) => exact.value(points[3 * i]!, points[3 * i + 1]!, points[3 * i + 2]!) + 0.01,
-    );
-    say({ type: 'values', id: 11, values });
-    const found = await made(11);
-    expect(found.difference).toBeCloseTo(0.01, 4);
-    // the page’s and the worker’s
-    expect(found.evaluations).toBeGreaterThan(values.length);
-    wish(12);
-    expect((await made(12)).difference).toBeNull();
+  test('makes what has sharp edges itself, whoever was to', async () => {
+    const box: FieldNode = { type: 'shape', shape: { type: 'box', half: [10, 8, 6] } };
+    wish(9, { node: box });
+    const own = await made(9);
+    wish(10, { node: box, mesh: 'page' });
+    const sharp = await made(10);
+    expect(sharp).toMatchObject({ hasCreases: true, evaluations: own.evaluations });
+    expect(sharp.mesh).toEqual(own.mesh);
+    wish(11);
+    expect(await made(11)).toMatchObject({ hasCreases: false });
   });
 
-  test('a wish that waits for the page is superseded, and its values come too late', async () => {
-    wish(13, { values: 'page' });
-    const lattice = await wanted(13);
-    wish(14, { values: 'page' });
-    await wanted(14);
-    say({ type: 'values', id: 13, values: new Float32Array(nodeCount(lattice)).fill(-1) });
-    await new Promise((done) => setTimeout(done, 50));
-    expect(of(13).some(({ type }) => type === 'made')).toBe(false);
-    expect(of(14).at(-1)?.type).toBe('wanted');
-    say({ type: 'values', id: 14, values: null });
-    expect((await made(14)).mesh.indices.length).toBeGreaterThan(1000);
-  });
-
-  test.each(['worker', 'page'] as const)('stops when told so: values from the %s', async (values) => {
-    const id = values === 'worker' ? 20 : 30;
+  test.each(['worker', 'page'] as const)('stops when told so: a mesh for the %s', async (mesh) => {
+    const id = mesh === 'worker' ? 20 : 30;
     onMessage = (message) => {
-      const isUnderWay = message.type === 'progress' || message.type === 'wanted';
-      if (message.id === id && isUnderWay) say({ type: 'stop', id: id + 1 });
+      if (message.id === id) say({ type: 'stop', id: id + 1 });
     };
-    wish(id, { resolution: 150, values });
+    wish(id, { resolution: 150, mesh });
     await vi.waitFor(() => expect(of(id).length).toBeGreaterThan(0));
     await new Promise((done) => setTimeout(done, 100));
     onMessage = () => {};
-    expect(of(id).map(({ type }) => type)).toEqual([values === 'worker' ? 'progress' : 'wanted']);
+    // what it said first was the last
+    expect(of(id).length).toBe(1);
     wish(id + 2);
     await made(id + 2);
   });

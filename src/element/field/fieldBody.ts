@@ -1,14 +1,25 @@
-/** The body on the page: made by a worker from the latest tree, the last good one kept while there is none. */
-import type { FromWorker, Made, ToWorker, Wanted } from '../../field/fieldWork.ts';
-import type { Lattice } from '../../field/lattice.ts';
+/**
+ * The body on the page: of the latest tree, made by a worker or of the worker's bricks on the graphics device; the last good one is kept
+ * while there is none.
+ */
+import type { FromWorker, Located, Made, ToWorker } from '../../field/fieldWork.ts';
 import type { FieldNode } from '../../field/node.ts';
+import { gpuPolygonizer } from '../../gpu/polygonize/polygonizer.ts';
+import { isOnDevice } from '../../scene/deviceMesh.ts';
 import { messageOf } from '../events.ts';
-import { FieldOnGpu } from './fieldOnGpu.ts';
+import { FieldOnGpu, type MadeOnGpu } from './fieldOnGpu.ts';
 import { FIELD_WORDS } from './fieldWords.ts';
+import type { Shown } from './shown.ts';
+
+interface Wish {
+  readonly node: FieldNode;
+  readonly resolution: number;
+  readonly onDevice: boolean;
+}
 
 export class FieldBody {
   /** the last that was made */
-  made: Made | null = null;
+  made: Shown | null = null;
   /** 0–1 of the step under way; null: nothing is being made */
   progress: number | null = null;
   /** why there is no body for the latest tree, in words */
@@ -16,20 +27,32 @@ export class FieldBody {
   readonly #changed: () => void;
   #worker: Worker | null = null;
   #gpu: FieldOnGpu | null = null;
-  #node: FieldNode | null = null;
+  #wish: Wish | null = null;
   #latest = 0;
   /** the last tree that was refused: nothing from before it is shown any more */
   #refused = 0;
+  /** why the graphics device did not make the latest body, though it was to; null: it did, or was not to */
+  #failure: string | null = null;
+  /** gives back what is shown, where it lies on the device */
+  #release: () => void = () => {};
 
   /** `changed` hears of every change of what is here. */
   constructor(changed: () => void) {
     this.#changed = changed;
   }
 
-  /** The device for values on the GPU; null: there is none. */
+  /** The device for meshes on the GPU; null: there is none. What lies on the one before goes; without another the worker makes it. */
   set device(device: GPUDevice | null) {
     this.#gpu?.destroy();
-    this.#gpu = device ? new FieldOnGpu(device) : null;
+    const isLost = this.#isOnDevice;
+    if (isLost) this.made = null;
+    this.#takeBack(() => {});
+    const listener = {
+      made: (made: MadeOnGpu) => this.#hearDevice(made),
+      failed: (of: Located, error: unknown) => this.#fallBack(of, error),
+    };
+    this.#gpu = device ? new FieldOnGpu(gpuPolygonizer(device), listener) : null;
+    if (!device && this.#wish?.onDevice && (isLost || this.progress !== null)) this.#ask(null);
   }
 
   get canUseGpu(): boolean {
@@ -38,79 +61,116 @@ export class FieldBody {
 
   /** `tree` may throw a FieldError: the last body stays. */
   make(tree: () => FieldNode, resolution: number, onDevice: boolean): void {
-    const id = ++this.#latest;
     try {
-      this.#node = tree();
+      this.#wish = { node: tree(), resolution, onDevice };
     } catch (error) {
+      const id = ++this.#latest;
+      this.#wish = null;
       this.#worker?.postMessage({ type: 'stop', id } satisfies ToWorker);
       this.#refuse(messageOf(error));
       return;
     }
-    this.progress = 0;
-    const values = onDevice && this.#gpu ? 'page' : 'worker';
-    this.#worker ??= this.#start();
-    this.#worker.postMessage({ type: 'make', id, node: this.#node, resolution, values } satisfies ToWorker);
-    this.#changed();
+    this.#ask(null);
   }
 
   stop(): void {
     this.#worker?.terminate();
     this.#worker = null;
+    this.#wish = null;
     this.progress = null;
     this.device = null;
   }
 
+  get #isOnDevice(): boolean {
+    return this.made !== null && isOnDevice(this.made.mesh);
+  }
+
+  /** For the latest wish; `failure`: why the worker is to make it, though the device was to. */
+  #ask(failure: string | null): void {
+    if (!this.#wish) return;
+    const id = ++this.#latest;
+    const { node, resolution, onDevice } = this.#wish;
+    this.#failure = failure ?? (onDevice && !this.#gpu ? FIELD_WORDS.noDevice : null);
+    const mesh = onDevice && this.#failure === null ? 'page' : 'worker';
+    this.progress = 0;
+    this.#worker ??= this.#start();
+    this.#worker.postMessage({ type: 'make', id, node, resolution, mesh } satisfies ToWorker);
+    this.#changed();
+  }
+
   #start(): Worker {
     const worker = new Worker(new URL('../../worker/field.ts', import.meta.url), { type: 'module' });
-    worker.onmessage = ({ data }: MessageEvent<FromWorker>) => {
-      if (data.id === this.#latest) this.#hear(data, worker);
-      // under a slider that is being dragged there is no time for more
-      else if (data.type === 'made' && data.draft && data.id > this.#refused) this.#show(data);
-    };
+    worker.onmessage = ({ data }: MessageEvent<FromWorker>) => this.#hear(data);
     worker.onerror = ({ message }) => this.#refuse(message || FIELD_WORDS.noWorker);
     return worker;
   }
 
-  /** Of what was asked for last. */
-  #hear(said: FromWorker, worker: Worker): void {
+  #hear(said: FromWorker): void {
+    const isLatest = said.id === this.#latest;
     switch (said.type) {
-      case 'wanted':
-        void this.#answer(said, worker);
-        return;
       case 'refused':
-        this.#refuse(said.message);
+        if (isLatest) this.#refuse(said.message);
         return;
       case 'progress':
+        if (!isLatest) return;
         this.progress = said.share;
         this.#changed();
         return;
+      case 'bricks':
+        if (this.#isWelcome(said)) this.#gpu?.make(said);
+        return;
       case 'made':
-        if (!said.draft) this.progress = null;
-        this.#show(said);
+        if (this.#isWelcome(said)) this.#show(this.#shown(said), () => {});
     }
   }
 
-  #show(made: Made): void {
+  /** Under a slider that is being dragged there is time for drafts only. The device and the worker may come in any order. */
+  #isWelcome({ id, draft }: Pick<Made, 'id' | 'draft'>): boolean {
+    const before = this.made;
+    const isLate = before !== null && (id < before.id || (id === before.id && draft && !before.draft));
+    return !isLate && (id === this.#latest || (draft && id > this.#refused));
+  }
+
+  #shown(made: Made): Shown {
+    const { mesh, hasCreases } = made;
+    const reason = this.#failure ?? (hasCreases && this.#wish?.onDevice ? FIELD_WORDS.creases : null);
+    return {
+      ...made,
+      vertices: mesh.positions.length / 3,
+      triangles: mesh.indices.length / 3,
+      maker: FIELD_WORDS.worker(reason),
+    };
+  }
+
+  #hearDevice({ of, mesh, vertices, triangles, milliseconds, release }: MadeOnGpu): void {
+    if (!this.#isWelcome(of)) {
+      release();
+      return;
+    }
+    const { id, draft, bricks, workAVertex } = of;
+    const evaluations = of.evaluations + workAVertex * vertices;
+    const facts = { lattice: bricks.lattice, evaluations, milliseconds: of.milliseconds + milliseconds };
+    this.#show({ id, draft, mesh, vertices, triangles, ...facts, maker: FIELD_WORDS.device }, release);
+  }
+
+  #fallBack({ id }: Located, error: unknown): void {
+    if (id !== this.#latest) return;
+    console.warn('The body comes from the CPU.', error);
+    this.#ask(FIELD_WORDS.deviceFailed);
+  }
+
+  /** What was shown before stays until the scene has this. */
+  #show(made: Shown, release: () => void): void {
     this.made = made;
     this.problem = null;
+    if (!made.draft && made.id === this.#latest) this.progress = null;
     this.#changed();
+    this.#takeBack(release);
   }
 
-  /** By the time there are values the element may be gone, or something else be wanted: nobody waits for them then. */
-  async #answer({ id, lattice }: Wanted, worker: Worker): Promise<void> {
-    const isWaiting = () => worker === this.#worker && id === this.#latest;
-    const values = await this.#values(lattice).catch((error: unknown) => {
-      if (isWaiting()) console.warn('The values come from the CPU.', error);
-      return null;
-    });
-    if (!isWaiting()) return;
-    const answer: ToWorker = { type: 'values', id, values };
-    worker.postMessage(answer, values ? [values.buffer] : []);
-  }
-
-  /** Null where the device went since the tree was sent. */
-  async #values(lattice: Lattice): Promise<Float32Array<ArrayBuffer> | null> {
-    return this.#gpu && this.#node ? this.#gpu.values(this.#node, lattice) : null;
+  #takeBack(next: () => void): void {
+    this.#release();
+    this.#release = next;
   }
 
   #refuse(message: string): void {

@@ -1,38 +1,80 @@
-/** Lattice values from the graphics device. */
-import { type Lattice, latticePoints, nodeCount } from '../../field/lattice.ts';
-import type { FieldNode } from '../../field/node.ts';
-import { type GpuField, gpuField } from '../../gpu/field.ts';
+/**
+ * Meshes on the graphics device, from the bricks that a worker sends: one after the other, and of those that wait only the latest.
+ * Meshes that are released give their buffers to those that come.
+ */
+import type { Located } from '../../field/fieldWork.ts';
+import type { GpuPolygonizer } from '../../gpu/polygonize/polygonizer.ts';
+import type { DeviceMesh } from '../../scene/deviceMesh.ts';
 
-/** The values of one device; the tree is kept on it from one body to the next. */
+export interface MadeOnGpu {
+  readonly of: Located;
+  readonly mesh: DeviceMesh;
+  readonly vertices: number;
+  readonly triangles: number;
+  /** on the page */
+  readonly milliseconds: number;
+  /** Once, when nothing draws it any more. */
+  release(): void;
+}
+
+/** Who hears what came of bricks. Whoever is told of a mesh releases it. */
+export interface Listener {
+  made(made: MadeOnGpu): void;
+  /** also when the device is lost */
+  failed(of: Located, error: unknown): void;
+}
+
 export class FieldOnGpu {
-  readonly #device: GPUDevice;
-  #tree: GpuField | null = null;
-  /** what `#tree` was made of last */
-  #node: FieldNode | null = null;
+  readonly #polygonizer: GpuPolygonizer;
+  readonly #listener: Listener;
+  #next: Located | null = null;
+  #isBusy = false;
+  #isGone = false;
 
-  constructor(device: GPUDevice) {
-    this.#device = device;
+  constructor(polygonizer: GpuPolygonizer, listener: Listener) {
+    this.#polygonizer = polygonizer;
+    this.#listener = listener;
   }
 
-  /** Throws what `gpuField` throws. */
-  async values(node: FieldNode, lattice: Lattice): Promise<Float32Array<ArrayBuffer>> {
-    const found = await this.#treeOf(node).evaluate(latticePoints(lattice));
-    // value and gradient of each node
-    const values = new Float32Array(nodeCount(lattice));
-    for (let i = 0; i < values.length; i++) values[i] = found[4 * i]!;
-    return values;
+  make(of: Located): void {
+    this.#next = of;
+    if (!this.#isBusy) void this.#work();
   }
 
+  /** Nobody is told of anything any more. */
   destroy(): void {
-    this.#tree?.destroy();
-    this.#tree = null;
+    this.#isGone = true;
+    this.#next = null;
+    this.#polygonizer.destroy();
   }
 
-  /** A body that outgrows its lattice asks for the same tree again. */
-  #treeOf(node: FieldNode): GpuField {
-    if (!this.#tree) this.#tree = gpuField(this.#device, node);
-    else if (node !== this.#node) this.#tree.update(node);
-    this.#node = node;
-    return this.#tree;
+  async #work(): Promise<void> {
+    this.#isBusy = true;
+    while (this.#next) {
+      const of = this.#next;
+      this.#next = null;
+      try {
+        const made = await this.#made(of);
+        if (this.#isGone) made.release();
+        else this.#listener.made(made);
+      } catch (error) {
+        if (!this.#isGone) this.#listener.failed(of, error);
+      }
+    }
+    this.#isBusy = false;
+  }
+
+  async #made(of: Located): Promise<MadeOnGpu> {
+    const start = performance.now();
+    const mesh = await this.#polygonizer.whole(of.node, of.bricks);
+    const size = await mesh.needed();
+    const { positions, normals, colours, indices, draw } = mesh;
+    return {
+      of,
+      mesh: { positions, normals, colours, indices, draw, box: of.box },
+      ...size,
+      milliseconds: performance.now() - start,
+      release: () => mesh.destroy(),
+    };
   }
 }

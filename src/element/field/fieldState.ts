@@ -183,7 +183,7 @@ export const CHOICES = {
     default: 'toon',
   },
   where: {
-    label: 'Values from',
+    label: 'Made by',
     options: [
       ['cpu', 'CPU'],
       ['gpu', 'GPU'],

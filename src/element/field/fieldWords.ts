@@ -1,5 +1,5 @@
 /** The words of the field page. */
-import type { Made } from '../../field/fieldWork.ts';
+import type { Shown } from './shown.ts';
 
 const count = (value: number): string => {
   if (value < 10_000) return String(value);
@@ -9,19 +9,22 @@ const count = (value: number): string => {
 export const FIELD_WORDS = {
   title: 'Field',
   making: 'Making the body',
-  body: (made: Made) =>
-    made.mesh.indices.length === 0 ? 'Nothing is inside. A lower T or a larger radius helps' : 'Body made',
+  body: ({ triangles }: Shown) =>
+    triangles === 0 ? 'Nothing is inside. A lower T or a larger radius helps' : 'Body made',
   kept: 'Not made. The last body stays',
   none: 'Not made',
-  facts: ({ mesh }: Made) =>
-    `${count(mesh.indices.length / 3)} triangles · ${count(mesh.positions.length / 3)} vertices`,
-  work: ({ evaluations, lattice, difference, milliseconds }: Made) => {
-    const where =
-      difference === null ? 'CPU, worker' : `GPU float32, off by ${difference.toExponential(1)} at most`;
+  facts: ({ triangles, vertices }: Shown) => `${count(triangles)} triangles · ${count(vertices)} vertices`,
+  work: ({ maker, evaluations, lattice, milliseconds }: Shown) => {
     const cells = lattice.counts.map((nodes) => nodes - 1).join(' × ');
     const time = Math.max(1, Math.round(milliseconds));
-    return `${where} · ${cells} cells · ${count(evaluations)} evaluations · ${time} ms`;
+    return `${maker} · ${cells} cells · ${count(evaluations)} evaluations · ${time} ms`;
   },
+  /** `reason`: why it is not the graphics device */
+  worker: (reason: string | null) => (reason === null ? 'CPU, worker' : `CPU, worker: ${reason}`),
+  device: 'GPU, float32',
+  creases: 'the body has sharp edges',
+  deviceFailed: 'the graphics device could not make it',
+  noDevice: 'there is no graphics device for it',
   webgl2: 'WebGL2, slower',
   loading: 'Preparing the picture',
   badAddress: (problem: string) => `Not understood in the address: ${problem}. All else there holds.`,
@@ -34,6 +37,6 @@ export const FIELD_WORDS = {
   nothingToCopy: 'There is no tree to copy before what is wrong with it is set right',
   noWorker: 'The part of the program that makes bodies could not start. Loading the page again may help.',
   lost: 'The graphics device was lost. The picture comes back.',
-  label: (made: Made | null) =>
-    made ? `Body of a field. ${count(made.mesh.indices.length / 3)} triangles` : 'Body of a field',
+  label: (made: Shown | null) =>
+    made ? `Body of a field. ${count(made.triangles)} triangles` : 'Body of a field',
 } as const;

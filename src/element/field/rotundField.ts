@@ -120,8 +120,8 @@ export class RotundField extends LitElement {
       fine: false,
       show: (scene) => this.#show(scene),
       lose: () => {
-        this.body.device = null;
         this.stage.detach();
+        this.body.device = null;
         this.#say(FIELD_WORDS.lost);
       },
       withoutScene: (error) => {
@@ -210,8 +210,9 @@ export class RotundField extends LitElement {
     const changed = (Object.keys(body) as (keyof typeof body)[]).filter((key) => before[key] !== body[key]);
     if (changed.length === 0) return;
     if (changed.includes('skeleton')) this.#fit = 'always';
-    // under a slider the picture stays as it is
-    else if (this.#fit === 'never' && changed.some((key) => key in CHOICES)) this.#fit = 'covered';
+    // under a slider the picture stays as it is, and for whoever makes the body
+    else if (this.#fit === 'never' && changed.some((key) => key in CHOICES && key !== 'where'))
+      this.#fit = 'covered';
     this.#make();
   }
 

@@ -3,11 +3,12 @@
  * the middle of loops. How many vertices and cells there are only the device knows: it plans its own dispatches and the draw
  * (Kravtsov §1.3.1 in five steps, but indexed).
  */
+import type { PackedBricks } from '../../field/packedBricks.ts';
 import type { Program } from '../program.ts';
 import { ITEM, totalsOf } from '../scan.ts';
 import { type Buffers, type Slice, USAGE } from './buffers.ts';
 import type { Capacity, Outputs } from './gpuMesh.ts';
-import { MOST_ALONG, type PackedBricks } from './lists.ts';
+import { MOST_ALONG } from './lists.ts';
 import { loopTable } from './loopTable.ts';
 import { LATTICE, STAGES, type StageName, type Stages } from './stages.ts';
 

@@ -4,9 +4,9 @@
  * asked and what stands for the others; a run of dropped sums is one row. Read by shaders/polygonize/nearList.wgsl.
  */
 import type { Brick, Bricks } from '../../field/bricks.ts';
-import type { Lattice } from '../../field/lattice.ts';
 import type { Near, NearLeaf } from '../../field/near.ts';
 import type { FieldNode } from '../../field/node.ts';
+import type { PackedBricks } from '../../field/packedBricks.ts';
 import { type Program, programOf, TAKE } from '../program.ts';
 import { SUM } from '../structs.ts';
 
@@ -26,15 +26,6 @@ export interface ListedBrick extends Pick<Brick, 'i' | 'j' | 'k'> {
 /** What is read of bricks. */
 export interface ListedBricks extends Pick<Bricks, 'lattice' | 'grid'> {
   readonly active: readonly ListedBrick[];
-}
-
-/** Bricks as plain data, which workers can hand over. */
-export interface PackedBricks {
-  readonly lattice: Lattice;
-  /** active ones */
-  readonly count: number;
-  readonly grid: Int32Array<ArrayBuffer>;
-  readonly lists: Uint32Array<ArrayBuffer>;
 }
 
 /** Bricks of that very tree. */

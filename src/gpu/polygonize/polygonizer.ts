@@ -1,14 +1,15 @@
 /**
- * Bricks of a field tree as a mesh, all of it on the GPU and nothing read back. Twin of field/latticeMesh.ts: the same loops around the same
- * cells. Where a mesh does not fit it stays empty and says so; what it needs is known then, and the next has it.
+ * Bricks of a field tree as a mesh, all of it on the GPU and nothing read back. Twin of field/brickMesh.ts, creases
+ * excepted: the same loops around the same cells. Where a mesh does not fit it stays empty and says so; what it needs is known then, and the next has it.
  */
 import type { FieldNode } from '../../field/node.ts';
+import type { PackedBricks } from '../../field/packedBricks.ts';
 import type { Modules } from '../link.ts';
 import { type Program, programOf } from '../program.ts';
 import { Buffers, MOST_BYTES, readBack } from './buffers.ts';
 import { encodeField, encodeMesh, meshBuffers, uploadField } from './encode.ts';
 import { type Capacity, type GpuMesh, gpuMesh, outputs } from './gpuMesh.ts';
-import { type ListedBricks, type PackedBricks, packBricks } from './lists.ts';
+import { type ListedBricks, packBricks } from './lists.ts';
 import { type Stages, stagesOn } from './stages.ts';
 
 export interface GpuPolygonizer {

@@ -1,14 +1,15 @@
 /** The page's side of making bodies, with a worker and a device that do what they are told. */
 import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest';
 import { FieldBody } from '../../../src/element/field/fieldBody.ts';
-import { FieldOnGpu } from '../../../src/element/field/fieldOnGpu.ts';
-import type { FromWorker, Made, ToWorker } from '../../../src/field/fieldWork.ts';
-import { latticeOver, nodeCount } from '../../../src/field/lattice.ts';
+import type { FieldMesh } from '../../../src/field/brickMesh.ts';
+import type { FromWorker, ToWorker } from '../../../src/field/fieldWork.ts';
+import { latticeOver } from '../../../src/field/lattice.ts';
 import type { FieldNode } from '../../../src/field/node.ts';
-import { gpuField } from '../../../src/gpu/field.ts';
+import type { GpuMesh } from '../../../src/gpu/polygonize/gpuMesh.ts';
+import { type GpuPolygonizer, gpuPolygonizer } from '../../../src/gpu/polygonize/polygonizer.ts';
 import { FieldError } from '../../../src/skeleton/skeleton.ts';
 
-vi.mock('../../../src/gpu/field.ts', () => ({ gpuField: vi.fn() }));
+vi.mock('../../../src/gpu/polygonize/polygonizer.ts', () => ({ gpuPolygonizer: vi.fn() }));
 
 class StubWorker {
   static all: StubWorker[] = [];
@@ -37,38 +38,58 @@ const lattice = latticeOver(10, 4);
 const tree = (radius = 10): FieldNode => ({ type: 'shape', shape: { type: 'sphere', radius } });
 const device = {} as GPUDevice;
 const settled = () => new Promise((done) => setTimeout(done));
-const made = (id: number, draft = false, difference: number | null = null) =>
-  ({ type: 'made', id, draft, difference }) as Made;
 
-interface Evaluation {
-  resolve(values: Float32Array): void;
+/** Three vertices, so many triangles. */
+function arrays(triangles = 1): FieldMesh {
+  const three = new Float32Array(9);
+  const indices = new Uint32Array(3 * triangles);
+  return { positions: three, normals: three, colours: three, uvs: new Float32Array(6), indices };
+}
+const step = { evaluations: 100, milliseconds: 7 };
+const made = (id: number, draft = false, hasCreases = false): FromWorker =>
+  ({ type: 'made', id, draft, mesh: arrays(), lattice, hasCreases, ...step }) as const;
+const bricks = (id: number, draft = false): FromWorker => ({
+  type: 'bricks',
+  id,
+  draft,
+  node: tree(id),
+  bricks: { lattice, count: 1, grid: new Int32Array(1), lists: new Uint32Array(4) },
+  box: { min: [-id, 0, 0], max: [id, 1, 1] },
+  workAVertex: 10,
+  ...step,
+});
+
+interface Asked {
+  readonly node: FieldNode;
+  readonly mesh: GpuMesh & { readonly destroy: ReturnType<typeof vi.fn> };
+  resolve(): void;
   reject(error: Error): void;
 }
 
-/** Trees on the device, each evaluation of which waits to be answered. */
-const onDevice = {
-  update: vi.fn(),
-  destroy: vi.fn(),
-  evaluations: [] as Evaluation[],
-  evaluate(): Promise<Float32Array> {
-    return new Promise((resolve, reject) => this.evaluations.push({ resolve, reject }));
-  },
-  colours: vi.fn(),
-};
-/** value and gradient, 1 at the first node, 2 at the next … */
-const found = () => Float32Array.from({ length: 4 * nodeCount(lattice) }, (_, i) => (i % 4 ? -1 : 1 + i / 4));
+/** What the device was asked for, each of which waits to be answered. */
+let asked: Asked[] = [];
+const destroyed = vi.fn();
+
+function polygonizer(): GpuPolygonizer {
+  const whole = (node: FieldNode) =>
+    new Promise<GpuMesh>((resolve, reject) => {
+      const needed = async () => ({ vertices: 30, triangles: 50 });
+      const mesh = { draw: {}, needed, destroy: vi.fn() } as unknown as Asked['mesh'];
+      asked.push({ node, mesh, resolve: () => resolve(mesh), reject });
+    });
+  return { whole, polygonize: whole, destroy: destroyed };
+}
 
 let body: FieldBody;
 const changed = vi.fn();
 const worker = () => StubWorker.all.at(-1)!;
-const answers = () => worker().told.filter(({ type }) => type === 'values');
 
 beforeEach(() => {
   StubWorker.all = [];
+  asked = [];
   vi.stubGlobal('Worker', StubWorker);
-  vi.mocked(gpuField).mockReset().mockReturnValue(onDevice);
-  for (const spy of [onDevice.update, onDevice.destroy, changed]) spy.mockReset();
-  onDevice.evaluations = [];
+  vi.mocked(gpuPolygonizer).mockReset().mockImplementation(polygonizer);
+  for (const spy of [changed, destroyed]) spy.mockReset();
   body = new FieldBody(changed);
 });
 afterEach(() => {
@@ -76,85 +97,127 @@ afterEach(() => {
   vi.restoreAllMocks();
 });
 
-describe('values from the device', () => {
+describe('meshes on the device', () => {
+  /** The `at`-th that was asked for is there. */
+  async function answered(at: number): Promise<void> {
+    asked[at]!.resolve();
+    await settled();
+  }
+
   beforeEach(() => {
     body.device = device;
     body.make(tree, 24, true);
   });
 
-  test('are asked for, taken and sent', async () => {
-    expect(worker().told).toMatchObject([{ type: 'make', id: 1, values: 'page' }]);
-    worker().says({ type: 'wanted', id: 1, lattice });
-    onDevice.evaluations[0]!.resolve(found());
-    await settled();
-    const values = Float32Array.from({ length: nodeCount(lattice) }, (_, i) => 1 + i);
-    expect(answers()).toEqual([{ type: 'values', id: 1, values }]);
+  test('are made of the bricks of the worker, and shown with what both took', async () => {
+    expect(worker().told).toMatchObject([{ type: 'make', id: 1, mesh: 'page' }]);
+    worker().says(bricks(1));
+    expect(asked[0]!.node).toEqual(tree(1));
+    expect(body).toMatchObject({ made: null, progress: 0 });
+    await answered(0);
+    expect(body).toMatchObject({ made: { id: 1, vertices: 30, triangles: 50 }, progress: null });
+    expect(body.made).toMatchObject({ mesh: { box: { min: [-1, 0, 0] } }, evaluations: 100 + 10 * 30 });
+    expect(body.made!.maker).toContain('GPU');
   });
 
-  test.each([true, false])('the element goes meanwhile: nobody is answered (values: %s)', async (comes) => {
-    worker().says({ type: 'wanted', id: 1, lattice });
+  test('the one before goes when the scene has the next, and not earlier', async () => {
+    worker().says(bricks(1, true));
+    await answered(0);
+    worker().says(bricks(1));
+    expect(asked[0]!.mesh.destroy).not.toHaveBeenCalled();
+    const seen: number[] = [];
+    changed.mockImplementation(() => seen.push(asked[0]!.mesh.destroy.mock.calls.length));
+    await answered(1);
+    expect(seen).toEqual([0]);
+    expect(asked.map(({ mesh }) => mesh.destroy.mock.calls.length)).toEqual([1, 0]);
+    // the next is the worker's
+    worker().says(made(1));
+    expect(asked[1]!.mesh.destroy).toHaveBeenCalledOnce();
+  });
+
+  test('one after the other, and of those that wait only the latest', async () => {
+    worker().says(bricks(1, true));
+    body.make(() => tree(2), 24, true);
+    worker().says(bricks(2, true));
+    worker().says(bricks(2));
+    expect(asked.length).toBe(1);
+    await answered(0);
+    expect(body.made).toMatchObject({ id: 1, draft: true });
+    expect(asked.map(({ node }) => node)).toEqual([tree(1), tree(2)]);
+    await answered(1);
+    expect(body.made).toMatchObject({ id: 2, draft: false });
+  });
+
+  test('what is no longer wanted is given back unseen', async () => {
+    worker().says(bricks(1));
+    body.make(() => tree(2), 24, true);
+    await answered(0);
+    expect(body.made).toBeNull();
+    expect(asked[0]!.mesh.destroy).toHaveBeenCalledOnce();
+  });
+
+  test('a draft that comes after the whole body is not shown', async () => {
+    worker().says(bricks(1, true));
+    worker().says(made(1, false, true));
+    await answered(0);
+    expect(body.made).toMatchObject({ id: 1, draft: false });
+    expect(body.made!.maker).toMatch(/worker.*sharp edges/);
+    expect(asked[0]!.mesh.destroy).toHaveBeenCalledOnce();
+  });
+
+  test('the element goes meanwhile: nobody hears of it', async () => {
+    worker().says(bricks(1));
+    changed.mockReset();
     body.stop();
-    expect(onDevice.destroy).toHaveBeenCalledOnce();
-    const warn = vi.spyOn(console, 'warn').mockReturnValue();
-    if (comes) onDevice.evaluations[0]!.resolve(found());
-    else onDevice.evaluations[0]!.reject(new Error('the device was destroyed'));
-    await settled();
+    expect(destroyed).toHaveBeenCalledOnce();
+    await answered(0);
+    expect(body.made).toBeNull();
+    expect(changed).not.toHaveBeenCalled();
+    expect(asked[0]!.mesh.destroy).toHaveBeenCalledOnce();
     expect(StubWorker.all.map(({ ended }) => ended)).toEqual([true]);
-    expect(answers()).toEqual([]);
-    expect(warn).not.toHaveBeenCalled();
   });
 
-  test('the element goes and comes back meanwhile: the new worker hears nothing of it', async () => {
-    worker().says({ type: 'wanted', id: 1, lattice });
+  test('the element goes and comes back: what was on the device is made again', async () => {
+    worker().says(bricks(1));
+    await answered(0);
     body.stop();
+    expect(body.made).toBeNull();
+    expect(asked[0]!.mesh.destroy).toHaveBeenCalledOnce();
     body.make(tree, 24, false);
-    onDevice.evaluations[0]!.resolve(found());
-    await settled();
     expect(StubWorker.all.length).toBe(2);
-    expect(answers()).toEqual([]);
   });
 
-  test('another body is wanted meanwhile', async () => {
-    worker().says({ type: 'wanted', id: 1, lattice });
-    body.make(() => tree(12), 24, true);
-    onDevice.evaluations[0]!.resolve(found());
-    await settled();
-    expect(answers()).toEqual([]);
-    worker().says({ type: 'wanted', id: 2, lattice });
-    onDevice.evaluations[1]!.resolve(found());
-    await settled();
-    expect(answers()).toMatchObject([{ id: 2 }]);
-    expect(onDevice.update).toHaveBeenCalledOnce();
-  });
-
-  test('the device is lost before it is asked: the worker is told, and no one warned', async () => {
+  test('the device cannot: the worker makes it, and that is told', async () => {
     const warn = vi.spyOn(console, 'warn').mockReturnValue();
-    body.device = null;
-    worker().says({ type: 'wanted', id: 1, lattice });
+    worker().says(bricks(1));
+    asked[0]!.reject(new Error('no memory'));
     await settled();
-    expect(answers()).toEqual([{ type: 'values', id: 1, values: null }]);
-    expect(warn).not.toHaveBeenCalled();
-  });
-
-  test('the device is lost under way: the worker takes its own', async () => {
-    const warn = vi.spyOn(console, 'warn').mockReturnValue();
-    worker().says({ type: 'wanted', id: 1, lattice });
-    body.device = null;
-    onDevice.evaluations[0]!.reject(new Error('the device was lost'));
-    await settled();
-    expect(answers()).toEqual([{ type: 'values', id: 1, values: null }]);
     expect(warn).toHaveBeenCalledOnce();
+    expect(worker().told.at(-1)).toMatchObject({ type: 'make', id: 2, node: tree(), mesh: 'worker' });
+    worker().says(made(2));
+    expect(body.made!.maker).toMatch(/worker.*could not/);
+    // the next is the device's again
+    body.make(tree, 24, true);
+    expect(worker().told.at(-1)).toMatchObject({ id: 3, mesh: 'page' });
   });
 
-  test('how far they are off comes with the body they are of', () => {
-    worker().says(made(1, false, 1e-5));
-    body.make(tree, 24, true);
-    expect(body.made?.difference).toBe(1e-5);
-    worker().says(made(1, false, 1e-3));
-    expect(body.made?.difference).toBe(1e-5);
-    worker().says(made(2, false, 2e-5));
-    expect(body.made?.difference).toBe(2e-5);
-  });
+  test.each(['under way', 'shown'])(
+    'the device is lost while a body is %s: the worker makes it',
+    async (when) => {
+      worker().says(bricks(1));
+      if (when === 'shown') await answered(0);
+      body.device = null;
+      expect(body.made).toBeNull();
+      expect(worker().told.at(-1)).toMatchObject({ type: 'make', id: 2, mesh: 'worker' });
+      worker().says(made(2));
+      expect(body.made!.maker).toMatch(/worker.*no graphics device/);
+      if (when === 'under way') await answered(0);
+      expect(body.made).toMatchObject({ id: 2 });
+      body.device = device;
+      body.make(tree, 24, true);
+      expect(worker().told.at(-1)).toMatchObject({ id: 3, mesh: 'page' });
+    },
+  );
 });
 
 describe('what is shown', () => {
@@ -192,28 +255,7 @@ describe('what is shown', () => {
     worker().says({ type: 'progress', id: 1, share: 0.5 });
     expect(body.progress).toBe(0);
     worker().says(made(2));
-    expect(body).toMatchObject({ made: { id: 2, draft: false }, progress: null });
+    expect(body).toMatchObject({ made: { id: 2, draft: false, vertices: 3, triangles: 1 }, progress: null });
+    expect(body.made!.maker).toBe('CPU, worker');
   });
 });
-
-describe('trees on the device', () => {
-  test('one is bound once, and taken again as long as it is the same', async () => {
-    const gpu = new FieldOnGpu(device);
-    const [first, second] = [tree(), tree(12)];
-    for (const node of [first, first, second, second, first]) void gpu.values(node, lattice);
-    expect(gpuField).toHaveBeenCalledOnce();
-    expect(onDevice.update.mock.calls).toEqual([[second], [first]]);
-  });
-
-  test('one that is refused is tried again', async () => {
-    const gpu = new FieldOnGpu(device);
-    void gpu.values(tree(), lattice);
-    onDevice.update.mockImplementation(refuseAll);
-    const bad = tree(-1);
-    for (let i = 0; i < 2; i++) await expect(gpu.values(bad, lattice)).rejects.toThrow('no field');
-  });
-});
-
-function refuseAll(): never {
-  throw new FieldError('no field');
-}

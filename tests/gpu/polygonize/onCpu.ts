@@ -15,7 +15,7 @@ export interface PaintedMesh extends Mesh {
 type Place = readonly [number, number, number];
 
 /** parts of an edge that vertices are kept from its ends, as in WGSL and TypeScript */
-const ENDS = 1e-3;
+const ENDS = 1e-4;
 
 export function valuesOf(field: TreeField, lattice: Lattice): Float64Array {
   return Float64Array.from({ length: nodeCount(lattice) }, (_, node) =>

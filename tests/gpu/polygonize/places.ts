@@ -2,8 +2,8 @@
 import type { Lattice } from '../../../src/field/lattice.ts';
 import type { Mesh } from '../../../src/mesh/mesh.ts';
 
-/** parts of a step: vertices are kept a thousandth from nodes */
-const CLOSE = 5e-4;
+/** parts of a step: vertices are kept 1e-4 from nodes */
+const CLOSE = 5e-5;
 
 /** The edge of the lattice that a vertex is on, or the cell that it is within. */
 export function placesOf({ positions }: Mesh, { origin, step }: Lattice): readonly string[] {

@@ -1,0 +1,12 @@
+/** Bricks and what is near in each as plain data, which workers hand over and graphics devices read (gpu/polygonize/lists.ts writes them). */
+import type { Lattice } from './lattice.ts';
+
+export interface PackedBricks {
+  readonly lattice: Lattice;
+  /** active ones */
+  readonly count: number;
+  /** as in Bricks */
+  readonly grid: Int32Array<ArrayBuffer>;
+  /** rows of four words */
+  readonly lists: Uint32Array<ArrayBuffer>;
+}
