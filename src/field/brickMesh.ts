@@ -151,7 +151,7 @@ export class BrickMesh {
     const { near } = this.#brick;
     const key = loop + 4 * this.#number(c);
     const isSame = this.#isKept && this.#store.areTaken(ring);
-    const fan = near.branches > 1 ? this.#points.creased(near, ring, key, isSame) : null;
+    const fan = near.branches > 1 ? this.#points.creased(near, this.#values.whole, ring, key, isSame) : null;
     if (fan) {
       this.#fans.add(ring, fan);
       return;
@@ -206,8 +206,12 @@ export class BrickMesh {
       point.sharpen(this.#values.whole, near.error, a, axis, step);
     if (!isSmooth) point.search(near, a, b, valueA, valueB);
     const { x, y, z, nx, ny, nz } = point;
-    const branch = near.branches > 1 ? near.branch(x, y, z) : NO_BRANCH;
-    return { at: [x, y, z], normal: [nx, ny, nz], colour: this.#colourAt([x, y, z]), branch };
+    return {
+      at: [x, y, z],
+      normal: [nx, ny, nz],
+      colour: this.#colourAt([x, y, z]),
+      branch: near.branch(x, y, z),
+    };
   }
 
   /** Where the cubic through four corners of the brick around an edge crosses it. */

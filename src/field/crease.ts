@@ -24,7 +24,7 @@ export interface Crease {
 
 const value = new Float64Array(4);
 
-/** Within `reach` of `start` along each axis; null where there is none, or where the sides meet too flatly. */
+/** Within `reach` of `start` along each axis, mm; null where there is none, or where the sides meet too flatly. */
 export function creaseNear(
   near: Near,
   branches: readonly number[],

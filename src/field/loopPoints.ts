@@ -2,19 +2,26 @@
  * The point in the middle of a loop, where it has one: on the crease or the corner that it is around, or on the surface in the middle of
  * a twisted loop. What was found before an edit is taken over by its key.
  */
+
+import type { Vec3 } from '../math/vec.ts';
 import { type Crease, creaseNear } from './crease.ts';
 import { Corners } from './creaseCorners.ts';
 import type { CreaseFans, Fan } from './creaseFans.ts';
 import type { Near } from './near.ts';
 import { NO_BRANCH, type VertexStore } from './vertexStore.ts';
 
-/** of a cell, how far from the middle of its loop a point on a crease may be */
-const REACH = 1.2;
+/** Cells from the middle of its loop that a point on a crease may be; blades end that far from where lattices see both sides. */
+const REACH = 3;
+/** cells: what is farther has to be on the surface of the whole field, which may have something else there */
+const OWN = 1;
+const ON = 0.05;
 /** of a cell: corners as near to each other, of the same sides, are one */
 const SAME = 0.02;
 
 /** On a crease, or in the middle of a loop, with the one normal there. */
 export type LoopPoint = Crease;
+
+const value = new Float64Array(4);
 
 export class LoopPoints {
   readonly #store: VertexStore;
@@ -48,13 +55,16 @@ export class LoopPoints {
   }
 
   /** The copies of a point on the crease, or at the corner, that the loop is around; null where there is none. */
-  creased(near: Near, ring: readonly number[], key: number, isSame: boolean): Fan | null {
+  creased(near: Near, whole: Near, ring: readonly number[], key: number, isSame: boolean): Fan | null {
     const store = this.#store;
     const all = store.branches;
     const branches = [...new Set(ring.map((vertex) => all[vertex]!))].sort((a, b) => a - b);
     if (branches.length < 2 || branches.includes(NO_BRANCH)) return null;
     const middle = store.mean(store.positions, ring);
-    const search = (of: readonly number[]) => () => creaseNear(near, of, middle, REACH * this.#step);
+    const search = (of: readonly number[]) => () => {
+      const found = creaseNear(near, of, middle, REACH * this.#step);
+      return found && this.#isOn(whole, found.at, middle) ? found : null;
+    };
     const found = this.remembered(`${key} all`, isSame, search(branches));
     if (found) return this.#around(ring, branches, found);
     // sides that meet in no point nearby: the crease of the two that most of the loop is on
@@ -65,6 +75,13 @@ export class LoopPoints {
     if (!crease) return null;
     const normals = branches.map((branch) => crease.normals[two.indexOf(branch)] ?? crease.normals[0]!);
     return this.#fanOf(ring, branches, { at: crease.at, normals });
+  }
+
+  #isOn(whole: Near, at: Vec3, middle: Vec3): boolean {
+    if (at.every((x, axis) => Math.abs(x - middle[axis]!) < OWN * this.#step)) return true;
+    whole.evaluate(...at, value);
+    const slope = Math.sqrt(value[1]! * value[1]! + value[2]! * value[2]! + value[3]! * value[3]!);
+    return Math.abs(value[0]!) <= ON * this.#step * slope;
   }
 
   /** Corners may have been found from a cube beside this. */

@@ -71,6 +71,7 @@ export class NearSet implements Near {
 
   branch(x: number, y: number, z: number): number {
     if (!this.#operation.isExtreme) return this.span[0];
+    if (this.#parts.length === 1) return this.#parts[0]!.branch(x, y, z);
     const [outer, sign] = signsOf(this.#kind);
     let [best, most] = [this.#parts[0]!, -Infinity];
     this.#parts.forEach((part, i) => {
@@ -82,8 +83,15 @@ export class NearSet implements Near {
 
   onBranch(branch: number, x: number, y: number, z: number, out: FieldValue): void {
     const part = this.#operation.isExtreme && this.#parts.find(({ span }) => branch < span[1]);
-    if (part) part.onBranch(branch, x, y, z, out);
-    else this.evaluate(x, y, z, out);
+    if (!part) {
+      this.evaluate(x, y, z, out);
+      return;
+    }
+    part.onBranch(branch, x, y, z, out);
+    // what is taken away is turned inside out
+    if (this.#kind === 'subtraction' && part.span[0] > this.span[0]) {
+      for (let i = 0; i < 4; i++) out[i] = -out[i]!;
+    }
   }
 
   within(x: number, y: number, z: number, half: number, missed: number): Near {
