@@ -81,9 +81,14 @@ export class NearSet implements Near {
   }
 
   onBranch(branch: number, x: number, y: number, z: number, out: FieldValue): void {
-    const part = this.#operation.isExtreme && this.#parts.find(({ span }) => branch < span[1]);
-    if (part) part.onBranch(branch, x, y, z, out);
-    else this.evaluate(x, y, z, out);
+    const i = this.#operation.isExtreme ? this.#parts.findIndex(({ span }) => branch < span[1]) : -1;
+    if (i < 0) {
+      this.evaluate(x, y, z, out);
+      return;
+    }
+    this.#parts[i]!.onBranch(branch, x, y, z, out);
+    // what is taken away is inside out
+    if (i > 0 && this.#kind === 'subtraction') for (let k = 0; k < 4; k++) out[k] = -out[k]!;
   }
 
   within(x: number, y: number, z: number, half: number, missed: number): Near {
