@@ -81,14 +81,16 @@ export class NearSet implements Near {
   }
 
   onBranch(branch: number, x: number, y: number, z: number, out: FieldValue): void {
-    const i = this.#operation.isExtreme ? this.#parts.findIndex(({ span }) => branch < span[1]) : -1;
-    if (i < 0) {
+    const part = this.#operation.isExtreme && this.#parts.find(({ span }) => branch < span[1]);
+    if (!part) {
       this.evaluate(x, y, z, out);
       return;
     }
-    this.#parts[i]!.onBranch(branch, x, y, z, out);
-    // what is taken away is inside out
-    if (i > 0 && this.#kind === 'subtraction') for (let k = 0; k < 4; k++) out[k] = -out[k]!;
+    part.onBranch(branch, x, y, z, out);
+    // what is taken away is turned inside out
+    if (this.#kind === 'subtraction' && part.span[0] > this.span[0]) {
+      for (let i = 0; i < 4; i++) out[i] = -out[i]!;
+    }
   }
 
   within(x: number, y: number, z: number, half: number, missed: number): Near {
