@@ -12,6 +12,9 @@ import type { Changes, Near } from './near.ts';
 /** cells: by how much the surface may stay where it was before */
 const STALE = 1e-2;
 
+/** cubes between two looks at the clock */
+const BATCH = 16;
+
 interface Cube {
   readonly i: number;
   readonly j: number;
@@ -29,32 +32,45 @@ interface Cube {
 export class LiveBricks {
   readonly #lattice: Lattice;
   readonly #counts: Vec3;
-  readonly #root: Cube;
+  #root: Cube | null = null;
   /** numbers of bricks that were made anew by the last edit */
   readonly renewed = new Set<number>();
   /** cubes that the last edit looked at */
   looked = 0;
 
-  constructor(whole: Near, lattice: Lattice) {
+  private constructor(lattice: Lattice) {
     this.#lattice = lattice;
     this.#counts = lattice.counts.map((nodes) => (nodes - 1) / BRICK) as unknown as Vec3;
+  }
+
+  /** Yields now and then: what share is done is not known. */
+  static *making(whole: Near, lattice: Lattice): Generator<number, LiveBricks> {
+    const bricks = new LiveBricks(lattice);
     let size = 1;
-    while (size < Math.max(...this.#counts)) size *= 2;
-    this.#root = this.#made(whole, 0, 0, 0, size);
+    while (size < Math.max(...bricks.#counts)) size *= 2;
+    const root = bricks.#made(whole, 0, 0, 0, size);
+    bricks.#root = root;
+    const open = [root];
+    for (let cube = open.pop(); cube; cube = open.pop()) {
+      bricks.#divide(cube);
+      open.push(...(cube.parts ?? []));
+      if (open.length % BATCH === 0) yield 0;
+    }
+    return bricks;
   }
 
   /** `whole`: the field after the changes. */
   edit(whole: Near, changes: Changes): void {
     this.renewed.clear();
     this.looked = 0;
-    this.#visit(this.#root, whole, changes);
+    if (this.#root) this.#visit(this.#root, whole, changes);
   }
 
   bricks(): Bricks {
     const [nx, ny, nz] = this.#counts;
     const grid = new Int32Array(nx * ny * nz).fill(OUTSIDE);
     const active: Brick[] = [];
-    this.#collect(this.#root, grid, active);
+    if (this.#root) this.#collect(this.#root, grid, active);
     active.sort((a, b) => this.number(a) - this.number(b));
     for (const [place, brick] of active.entries()) grid[this.number(brick)] = place;
     return { lattice: this.#lattice, counts: this.#counts, active, grid };
@@ -66,18 +82,7 @@ export class LiveBricks {
 
   #made(outer: Near, i: number, j: number, k: number, size: number): Cube {
     const near = cubeWithin(outer, this.#lattice, i, j, k, size);
-    const cube: Cube = {
-      i,
-      j,
-      k,
-      size,
-      near,
-      debt: 0,
-      state: this.#stateOf(near, i, j, k, size),
-      parts: null,
-    };
-    this.#divide(cube);
-    return cube;
+    return { i, j, k, size, near, debt: 0, state: this.#stateOf(near, i, j, k, size), parts: null };
   }
 
   #stateOf(near: Near, i: number, j: number, k: number, size: number): number {
@@ -102,6 +107,11 @@ export class LiveBricks {
     }
   }
 
+  #divideAll(cube: Cube): void {
+    this.#divide(cube);
+    for (const part of cube.parts ?? []) this.#divideAll(part);
+  }
+
   #visit(cube: Cube, outer: Near, changes: Changes): void {
     const { i, j, k, size, near } = cube;
     this.looked++;
@@ -123,7 +133,7 @@ export class LiveBricks {
     cube.state = this.#stateOf(cube.near, i, j, k, size);
     if (cube.state !== 0 || before !== 0 || size === 1) {
       cube.parts = null;
-      this.#divide(cube);
+      this.#divideAll(cube);
       return;
     }
     for (const part of cube.parts!) {

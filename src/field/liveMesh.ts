@@ -21,8 +21,8 @@ export interface LiveMade {
   readonly mesh: FieldMesh;
   /** work of this edit (skeleton/work.ts) */
   readonly evaluations: number;
-  /** bricks with surface in them, and those of them that were evaluated */
-  readonly bricks: number;
+  readonly bricks: Bricks;
+  /** of the active bricks, those that were evaluated */
   readonly renewed: number;
 }
 
@@ -32,10 +32,16 @@ interface State {
   readonly places: ReadonlyMap<number, number>;
   readonly values: BrickValues;
   readonly mesh: BrickMesh;
+  /** skels in all */
+  readonly asked: number;
 }
 
 /** of the longest side, on all sides: room for what a drag adds */
 const ROOM = 0.1;
+/** of all skels: with more of them changed most of the body is made again anyway */
+const EDIT = 0.3;
+/** bricks between two looks at the clock */
+const BATCH = 16;
 
 export class LiveMesh {
   readonly #resolution: number;
@@ -47,23 +53,40 @@ export class LiveMesh {
     this.#resolution = resolution;
   }
 
-  /** FieldError for what has no field; the body before stays then. */
+  /** Runs to the end; see `making`. */
   make(node: FieldNode): LiveMade {
+    return ended(this.making(node));
+  }
+
+  /** Whether `node` differs from the body before in some of its leaves or terms only, so that an edit is worth it. */
+  isEdit(node: FieldNode): boolean {
+    const changes = this.#state && treeChanges(this.#state.node, node);
+    if (!changes || !this.#state) return false;
+    const asked = [...changes.values()].reduce((sum, change) => sum + (change ? change.added.length : 1), 0);
+    return asked <= EDIT * this.#state.asked;
+  }
+
+  /** Given up half-way it begins anew the next time. FieldError for what has no field. */
+  *making(node: FieldNode): Generator<number, LiveMade> {
     const field = bindField(node);
     const tally = this.#tally;
     tally.work = 0;
     const before = this.#state;
-    const changes = before && treeChanges(before.node, node);
+    const changes = before && this.isEdit(node) ? treeChanges(before.node, node) : null;
+    this.#state = null;
     if (before && changes) {
       const whole = this.#whole(field);
       before.live.edit(whole, changes);
-      const made = this.#meshed(node, whole, before.live, before);
+      const made = yield* this.#meshing(node, whole, before.live, before);
       // what has no end leaves every lattice
       if (!made.leaves || !field.box) return made.made;
     }
     const whole = this.#whole(field);
-    const live = new LiveBricks(whole, roomyLattice(whole, this.#resolution, field.box));
-    return this.#meshed(node, whole, live, null).made;
+    // a body that has left its lattice is being dragged
+    const room = before && changes ? ROOM : 0;
+    const lattice = yield* roomyLattice(whole, this.#resolution, field.box, room);
+    const live = yield* LiveBricks.making(whole, lattice);
+    return (yield* this.#meshing(node, whole, live, null)).made;
   }
 
   /** Leaves and branches are numbered again. */
@@ -73,7 +96,7 @@ export class LiveMesh {
     return field.near(this.#tally);
   }
 
-  #meshed(node: FieldNode, whole: Near, live: LiveBricks, before: State | null) {
+  *#meshing(node: FieldNode, whole: Near, live: LiveBricks, before: State | null) {
     const bricks = live.bricks();
     const placeOf = (place: number) => keptPlace(live, bricks, before, place);
     const kept = before && { values: before.values, placeOf };
@@ -81,16 +104,17 @@ export class LiveMesh {
     const mesh = new BrickMesh(bricks, values, this.#tally, before?.mesh);
     for (const [place, brick] of bricks.active.entries()) {
       mesh.add(brick, values.fill(place), placeOf(place) >= 0);
+      if (place % BATCH === 0) yield place / bricks.active.length;
     }
     const places = new Map(bricks.active.map((brick, place) => [live.number(brick), place]));
-    this.#state = { node, live, places, values, mesh };
     const made: LiveMade = {
       mesh: mesh.mesh(),
       evaluations: this.#tally.work,
-      bricks: bricks.active.length,
+      bricks,
       renewed: bricks.active.filter((brick) => live.renewed.has(live.number(brick))).length,
     };
     values.forget();
+    this.#state = { node, live, places, values, mesh, asked: whole.asked };
     return { made, leaves: values.leaves.includes(true) };
   }
 }
@@ -101,12 +125,21 @@ function keptPlace(live: LiveBricks, { active }: Bricks, before: State | null, p
   return before && !live.renewed.has(number) ? (before.places.get(number) ?? -1) : -1;
 }
 
-function roomyLattice(whole: Near, resolution: number, box: Box | null): Lattice {
+function* roomyLattice(
+  whole: Near,
+  resolution: number,
+  box: Box | null,
+  share: number,
+): Generator<number, Lattice> {
   if (!box) return latticeOver(PAGE, resolution);
-  const steps = fitting(whole, box);
-  let step = steps.next();
-  while (!step.done) step = steps.next();
-  const { min, max } = step.value ?? box;
-  const room = ROOM * Math.max(max[0] - min[0], max[1] - min[1], max[2] - min[2]);
-  return latticeAround(grown({ min, max }, room), Math.round(resolution * (1 + 2 * ROOM)));
+  const { min, max } = (yield* fitting(whole, box)) ?? box;
+  const room = share * Math.max(max[0] - min[0], max[1] - min[1], max[2] - min[2]);
+  return latticeAround(grown({ min, max }, room), Math.round(resolution * (1 + 2 * share)));
+}
+
+function ended<T>(steps: Generator<number, T>): T {
+  for (;;) {
+    const { done, value } = steps.next();
+    if (done) return value;
+  }
 }

@@ -7,6 +7,7 @@
 import { bindField } from '../field/bind.ts';
 import { hasCreases } from '../field/bricks.ts';
 import type { FromWorker, Made, Make, ToWorker } from '../field/fieldWork.ts';
+import { LiveMesh } from '../field/liveMesh.ts';
 import { type Located, locating, type Polygonized, polygonizing } from '../field/polygonize.ts';
 import type { TreeField } from '../field/treeField.ts';
 import { packBricks } from '../gpu/polygonize/lists.ts';
@@ -30,6 +31,7 @@ let wish: Make | null = null;
 /** of what the page said last: other bodies are not wanted */
 let latest = 0;
 let working = false;
+let live = { cells: 0, mesh: new LiveMesh(0) };
 
 scope.onmessage = ({ data }) => {
   wish = data.type === 'make' ? data : null;
@@ -55,12 +57,14 @@ async function make(job: Make): Promise<void> {
   const { id, node, resolution } = job;
   const field = bindField(node);
   const isLatest = () => id === latest;
-  const levels = [...draftsBefore(resolution), resolution];
+  // what is edited needs no drafts: it is there as soon as they would be
+  const isEdit = live.cells === resolution && job.mesh === 'worker' && live.mesh.isEdit(node);
+  const levels = isEdit ? [resolution] : [...draftsBefore(resolution), resolution];
   for (const [i, cells] of levels.entries()) {
     const draft = i < levels.length - 1;
     const wanted = () => isLatest() || (draft && i === 0 && wish !== null);
     const start = performance.now();
-    const step = await sliced(id, stepping(job, field, cells), wanted);
+    const step = await sliced(id, stepping(job, field, cells, draft), wanted);
     const rest = () => ({ id, draft, milliseconds: performance.now() - start });
     if (step) hand('mesh' in step ? handed(step, rest) : handedBricks(step, job, rest));
     if (!isLatest()) return;
@@ -69,13 +73,20 @@ async function make(job: Make): Promise<void> {
 
 /** A mesh; or, where the page makes it and it has no creases, which graphics devices would cut off, the bricks of it. */
 function* stepping(
-  { mesh }: Make,
+  { mesh, node }: Make,
   field: TreeField,
   cells: number,
-): Generator<number, Polygonized | Located> {
-  if (mesh === 'worker') return yield* polygonizing(field, cells);
+  isDraft: boolean,
+): Generator<number, Meshed | Located> {
+  if (mesh === 'worker') return yield* isDraft ? polygonizing(field, cells) : liveOf(cells).making(node);
   const located = yield* locating(field, cells);
   return hasCreases(located.bricks) ? yield* polygonizing(field, cells, field.box, located) : located;
+}
+
+/** The body of the last wish at so many cells: what a next one leaves of it is kept. */
+function liveOf(cells: number): LiveMesh {
+  if (live.cells !== cells) live = { cells, mesh: new LiveMesh(cells) };
+  return live.mesh;
 }
 
 /** Cells of what is shown on the way: some, then half as many as in the end, a quarter of the work. */
@@ -99,6 +110,7 @@ async function sliced<T>(id: number, work: Generator<number, T>, wanted: () => b
   }
 }
 
+type Meshed = Pick<Polygonized, 'mesh' | 'bricks' | 'evaluations'>;
 type Rest = () => Pick<Made, 'id' | 'draft' | 'milliseconds'>;
 type Handed = readonly [message: FromWorker, transfer: readonly ArrayBufferLike[]];
 
@@ -106,7 +118,7 @@ function hand([message, transfer]: Handed): void {
   scope.postMessage(message, transfer);
 }
 
-function handed({ mesh, bricks, evaluations }: Polygonized, rest: Rest): Handed {
+function handed({ mesh, bricks, evaluations }: Meshed, rest: Rest): Handed {
   const { positions, normals, uvs, indices, colours } = mesh;
   const arrays = [positions, normals, uvs, indices, colours].map(({ buffer }) => buffer);
   const facts = { lattice: bricks.lattice, evaluations, hasCreases: hasCreases(bricks) };

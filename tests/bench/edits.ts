@@ -33,7 +33,7 @@ export function timeEdits(): void {
       'whole, M': rounded(first.made.evaluations / 1e6, 2),
       'edit, M': rounded(edit.made.evaluations / 1e6, 2),
       share: rounded(edit.made.evaluations / first.made.evaluations, 3),
-      bricks: edit.made.bricks,
+      bricks: edit.made.bricks.active.length,
       'of them renewed': edit.made.renewed,
       'whole, ms': rounded(first.milliseconds),
       'edit, ms': rounded(edit.milliseconds),
