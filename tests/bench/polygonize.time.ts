@@ -6,12 +6,14 @@ import { POLYGONS } from '../fixtures/polygons.ts';
 import { timeEdits } from './edits.ts';
 import { timeKravtsovOnCpu } from './kravtsov.ts';
 import { timeMetaballs } from './metaballs.ts';
+import { timeBoxes } from './polygonizeBoxes.ts';
 import { timeGrowth, timeScenes } from './polygonizeScenes.ts';
 import { LINEAR } from './skels.ts';
 import { mixCalls } from './timing.ts';
 
 mixCalls([LINEAR, POLYGONS.star]);
 const TABLES: Readonly<Record<string, () => void | Promise<void>>> = {
+  boxes: timeBoxes,
   scenes: timeScenes,
   growth: timeGrowth,
   edits: timeEdits,
