@@ -14,7 +14,8 @@ const FULL = process.env.ROTUND_FULL !== undefined;
 const listed = (name: string) => process.env[name]?.split(',');
 
 /** cells along the longest side of the body */
-const CELLS = (listed('ROTUND_CELLS')?.map(Number) ?? FULL) ? [64, 128, 256, 512] : [64, 128];
+const USUAL = FULL ? [64, 128, 256, 512] : [64, 128];
+const CELLS = listed('ROTUND_CELLS')?.map(Number) ?? USUAL;
 
 const SCENES: Readonly<Record<string, () => FieldNode>> = {
   tree16: () => sceneNode('tree16'),
