@@ -111,7 +111,7 @@ export class Bodies {
   #send(job: Job): void {
     const { id, node, cells } = job;
     if (!this.#alone) this.#worker ??= this.#begin();
-    const make: ToWorker = { type: 'make', id, node, resolution: cells, mesh: 'worker' };
+    const make: ToWorker = { type: 'make', id, node, resolution: cells, mesh: 'worker', isEdited: false };
     if (this.#worker) this.#worker.postMessage(make);
     // not at once: whoever wants a body is not to be told of it while asking
     else setTimeout(() => this.#makeHere(job));

@@ -15,6 +15,8 @@ export interface Make {
   readonly resolution: number;
   /** who makes the mesh: the worker, or the page on its graphics device, which gets bricks for it */
   readonly mesh: 'worker' | 'page';
+  /** Of the body before what stays may be kept, on its lattice: quicker, but not to the bit what is made anew, as files have to be. */
+  readonly isEdited: boolean;
 }
 
 /** Nothing is wanted any more, until the next `Make`. */

@@ -62,8 +62,10 @@ export class LiveMesh {
   isEdit(node: FieldNode): boolean {
     const changes = this.#state && treeChanges(this.#state.node, node);
     if (!changes || !this.#state) return false;
-    const asked = [...changes.values()].reduce((sum, change) => sum + (change ? change.added.length : 1), 0);
-    return asked <= EDIT * this.#state.asked;
+    const parts = [...changes.values()].map((change) =>
+      change ? Math.max(change.removed.length, change.added.length) : 1,
+    );
+    return parts.reduce((sum, count) => sum + count, 0) <= EDIT * this.#state.asked;
   }
 
   /** Given up half-way it begins anew the next time. FieldError for what has no field. */

@@ -58,7 +58,7 @@ async function make(job: Make): Promise<void> {
   const field = bindField(node);
   const isLatest = () => id === latest;
   // what is edited needs no drafts: it is there as soon as they would be
-  const isEdit = live.cells === resolution && job.mesh === 'worker' && live.mesh.isEdit(node);
+  const isEdit = job.isEdited && live.cells === resolution && job.mesh === 'worker' && live.mesh.isEdit(node);
   const levels = isEdit ? [resolution] : [...draftsBefore(resolution), resolution];
   for (const [i, cells] of levels.entries()) {
     const draft = i < levels.length - 1;
@@ -73,12 +73,14 @@ async function make(job: Make): Promise<void> {
 
 /** A mesh; or, where the page makes it and it has no creases, which graphics devices would cut off, the bricks of it. */
 function* stepping(
-  { mesh, node }: Make,
+  { mesh, node, isEdited }: Make,
   field: TreeField,
   cells: number,
   isDraft: boolean,
 ): Generator<number, Meshed | Located> {
-  if (mesh === 'worker') return yield* isDraft ? polygonizing(field, cells) : liveOf(cells).making(node);
+  if (mesh === 'worker') {
+    return yield* isDraft || !isEdited ? polygonizing(field, cells) : liveOf(cells).making(node);
+  }
   const located = yield* locating(field, cells);
   return hasCreases(located.bricks) ? yield* polygonizing(field, cells, field.box, located) : located;
 }

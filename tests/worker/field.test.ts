@@ -2,6 +2,7 @@
 import { beforeAll, beforeEach, describe, expect, test, vi } from 'vitest';
 import type { FromWorker, Located, Made, Make, ToWorker } from '../../src/field/fieldWork.ts';
 import type { FieldNode } from '../../src/field/node.ts';
+import { body } from '../field/trees.ts';
 import { random } from '../fixtures/random.ts';
 
 const heard: FromWorker[] = [];
@@ -18,7 +19,7 @@ const scope: {
 const say = (data: ToWorker) => scope.onmessage!({ data });
 const sphere: FieldNode = { type: 'shape', shape: { type: 'sphere', radius: 10 } };
 const wish = (id: number, more: Partial<Make> = {}) =>
-  say({ type: 'make', id, node: sphere, resolution: 24, mesh: 'worker', ...more });
+  say({ type: 'make', id, node: sphere, resolution: 24, mesh: 'worker', isEdited: false, ...more });
 const of = (id: number) => heard.filter((message) => message.id === id);
 /** about a body, of whole bricks: there is one of air around it, and a node more than cells */
 const cellsOf = (step: Made | Located) => {
@@ -162,8 +163,27 @@ describe('the worker', () => {
     expect(await made(11)).toMatchObject({ hasCreases: false });
   });
 
+  test('of a body that is edited what stays is kept, if the page says so', async () => {
+    const limbs = (x: number): FieldNode => ({
+      ...body(
+        Array.from({ length: 8 }, (_, i) => ({
+          skel: { type: 'segment', a: [12 * i, 0, 0], b: [12 * i, 20, i === 3 ? x : 0], weights: [1] },
+        })),
+      ),
+    });
+    wish(30, { node: limbs(0), resolution: 60, isEdited: true });
+    const first = await made(30);
+    wish(31, { node: limbs(1), resolution: 60, isEdited: true });
+    const edit = await made(31);
+    // no draft came before it
+    expect(of(31).filter(({ type }) => type === 'made').length).toBe(1);
+    expect(edit.evaluations).toBeLessThan(0.6 * first.evaluations);
+    wish(32, { node: limbs(1), resolution: 60 });
+    expect((await made(32)).evaluations).toBeGreaterThan(edit.evaluations);
+  });
+
   test.each(['worker', 'page'] as const)('stops when told so: a mesh for the %s', async (mesh) => {
-    const id = mesh === 'worker' ? 20 : 30;
+    const id = mesh === 'worker' ? 120 : 130;
     onMessage = (message) => {
       if (message.id === id) say({ type: 'stop', id: id + 1 });
     };

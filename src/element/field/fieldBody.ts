@@ -94,7 +94,8 @@ export class FieldBody {
     const mesh = onDevice && this.#failure === null ? 'page' : 'worker';
     this.progress = 0;
     this.#worker ??= this.#start();
-    this.#worker.postMessage({ type: 'make', id, node, resolution, mesh } satisfies ToWorker);
+    const make: ToWorker = { type: 'make', id, node, resolution, mesh, isEdited: true };
+    this.#worker.postMessage(make);
     this.#changed();
   }
 
