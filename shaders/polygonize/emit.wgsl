@@ -3,7 +3,7 @@
 #import polygonize/ring
 #import polygonize/state
 
-// The triangles of each crossed cell, loop by loop. Twin of Surface in src/field/latticeMesh.ts.
+// The triangles of each crossed cell, loop by loop. Twin of BrickMesh in src/field/brickMesh.ts.
 
 @group(0) @binding(1) var<storage, read> crossed_cells: array<vec4u>;
 @group(0) @binding(2) var<storage, read> crossings: array<u32>;

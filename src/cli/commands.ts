@@ -50,7 +50,7 @@ export const MESH: CommandSpec = {
     {
       name: 'resolution',
       value: 'N',
-      help: 'cells along the longest side of a body, 8 to 1024 (128)',
+      help: 'cells along the longest side of a body, 8 to 512 (128)',
     },
     BACKEND,
     HELP,

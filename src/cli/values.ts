@@ -3,6 +3,7 @@ import { CELLS } from '../document/bodies.ts';
 import { RESOLUTION, type Resolution } from '../document/build.ts';
 import { PICTURE_SIDE, STYLES, type Style } from '../document/look.ts';
 import { type Exporter, exporters, type Format } from '../export/index.ts';
+import { RESOLUTION as CELLS_RANGE } from '../field/lattice.ts';
 import { Problem } from './problem.ts';
 
 interface Range {
@@ -11,7 +12,7 @@ interface Range {
 }
 
 const SURFACE: Range = { least: 4, most: 1024 };
-const CELL_RANGE: Range = { least: 8, most: 1024 };
+const CELL_RANGE: Range = { least: 8, most: CELLS_RANGE.max };
 
 export interface Size {
   readonly width: number;

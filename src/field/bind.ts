@@ -21,7 +21,7 @@ import type { Colour, FieldNode, SetNode, ShapeNode, SkelsNode, Term } from './n
 import { checkThreshold, skelSum } from './skelSum.ts';
 import { smoothUnion } from './smoothUnion.ts';
 import type { LeafField, TreeField } from './treeField.ts';
-import { bindWarped } from './warp.ts';
+import { bindWarped, type Warp } from './warp.ts';
 
 /** Of nodes that have none, linear: the grey of unpainted clay. */
 export const PLAIN: Colour = [0.6, 0.6, 0.6];
@@ -95,15 +95,28 @@ function bindSkels(node: SkelsNode): LeafField {
   checkThreshold(node.threshold);
   at('colour', () => checkedColour(node.colour ?? PLAIN));
   const terms = node.skels.flatMap((term, i) => at(`skels[${i}]`, () => boundTerms(term, node)));
-  return skelSum(terms, node.threshold, widthOf(kernel, node.params));
+  return skelSum(terms, node.threshold, widthOf(kernel, node));
 }
 
-/** mm; null for kernels that have none. */
-function widthOf(kernel: Kernel, params: KernelParams): number | null {
-  return kernel.homogeneity === 0 ? kernel.unit(checkedParams(kernel, params), 1) : null;
+/** mm, of the narrowest term; null for kernels that have none. */
+function widthOf(kernel: Kernel, { params, skels }: SkelsNode): number | null {
+  if (kernel.homogeneity !== 0) return null;
+  return kernel.unit(checkedParams(kernel, params), 1) * narrowest(skels);
 }
 
-/** What was bound of a term, and of what body: trees that are edited keep most of their terms. */
+/** The least that cross sections scale by. */
+function narrowest(skels: readonly Term[]): number {
+  return skels.reduce(
+    (least, { warp }) => (warp ? Math.min(least, ...warp.scale, innermost(warp)) : least),
+    1,
+  );
+}
+
+/** Of a drawn section, by how much less than its scale it reaches somewhere. */
+const innermost = ({ section, scale }: Warp): number =>
+  section.type === 'polar' ? Math.min(...section.radii) * Math.min(...scale) : 1;
+
+/** What was bound of a term, and of what body: trees that are edited in place share most of their terms. */
 const bound = new WeakMap<Term, { readonly key: string; readonly pieces: readonly BoundTerm[] }>();
 
 /** The same for the same term of a body with the same kernel, threshold and colour. */

@@ -10,3 +10,11 @@ export interface BoundTerm {
 
 /** of T: what adds less has no colour */
 export const UNSEEN = 1e-3;
+
+/** How fine a sum is. */
+export interface Grain {
+  /** mm: nodes that are farther apart than most of it say nothing of what is between them */
+  readonly width: number;
+  /** of the field about its surface, nearly, a millimetre */
+  readonly slope: number;
+}

@@ -62,7 +62,7 @@ class Combined implements TreeField {
   near(tally: Tally): Near {
     const [branch, leaf] = [tally.branches, tally.leaves];
     const parts = this.#parts.map((part) => part.near(tally));
-    return new NearSet(parts, [], this.#operation, this.#kind, {
+    return new NearSet(parts, null, this.#operation, this.#kind, {
       span: [branch, tally.branches],
       leaves: [leaf, tally.leaves],
     });

@@ -35,8 +35,6 @@ export class LiveBricks {
   #root: Cube | null = null;
   /** numbers of bricks that were made anew by the last edit */
   readonly renewed = new Set<number>();
-  /** cubes that the last edit looked at */
-  looked = 0;
 
   private constructor(lattice: Lattice) {
     this.#lattice = lattice;
@@ -51,19 +49,19 @@ export class LiveBricks {
     const root = bricks.#made(whole, 0, 0, 0, size);
     bricks.#root = root;
     const open = [root];
+    let count = 0;
     for (let cube = open.pop(); cube; cube = open.pop()) {
       bricks.#divide(cube);
       open.push(...(cube.parts ?? []));
-      if (open.length % BATCH === 0) yield 0;
+      if (++count % BATCH === 0) yield 0;
     }
     return bricks;
   }
 
-  /** `whole`: the field after the changes. */
-  edit(whole: Near, changes: Changes): void {
+  /** `whole`: the field after the changes. Yields now and then. */
+  *edit(whole: Near, changes: Changes): Generator<number> {
     this.renewed.clear();
-    this.looked = 0;
-    if (this.#root) this.#visit(this.#root, whole, changes);
+    if (this.#root) yield* this.#visit(this.#root, whole, changes);
   }
 
   bricks(): Bricks {
@@ -112,9 +110,8 @@ export class LiveBricks {
     for (const part of cube.parts ?? []) this.#divideAll(part);
   }
 
-  #visit(cube: Cube, outer: Near, changes: Changes): void {
+  *#visit(cube: Cube, outer: Near, changes: Changes): Generator<number> {
     const { i, j, k, size, near } = cube;
-    this.looked++;
     const { origin, step } = this.#lattice;
     const half = 0.5 * size * BRICK * step;
     const [x, y, z] = [i, j, k].map((at, axis) => origin[axis]! + at * BRICK * step + half) as [
@@ -127,6 +124,7 @@ export class LiveBricks {
     const owed = cube.debt;
     cube.debt += effect;
     if (cube.debt <= this.#allowed(cube)) return;
+    yield 0;
     const before = cube.state;
     cube.near = cubeWithin(outer, this.#lattice, i, j, k, size);
     cube.debt = 0;
@@ -138,7 +136,7 @@ export class LiveBricks {
     }
     for (const part of cube.parts!) {
       part.debt += owed;
-      this.#visit(part, cube.near, changes);
+      yield* this.#visit(part, cube.near, changes);
     }
   }
 

@@ -9,16 +9,18 @@ import { grown } from './boxes.ts';
 import { BrickMesh, type FieldMesh } from './brickMesh.ts';
 import type { Brick, Bricks } from './bricks.ts';
 import { BrickValues } from './brickValues.ts';
-import { fitting } from './fitBox.ts';
+import { fitting, isWithin } from './fitBox.ts';
 import { type Lattice, latticeAround, latticeOver } from './lattice.ts';
 import { LiveBricks } from './liveBricks.ts';
 import { type Near, Tally } from './near.ts';
 import type { FieldNode } from './node.ts';
 import { PAGE } from './polygonize.ts';
-import { treeChanges } from './treeChanges.ts';
+import { type TreeChanges, treeChanges } from './treeChanges.ts';
 
 export interface LiveMade {
   readonly mesh: FieldMesh;
+  /** by the lattice: what has no end */
+  readonly isCut: boolean;
   /** work of this edit (skeleton/work.ts) */
   readonly evaluations: number;
   readonly bricks: Bricks;
@@ -29,6 +31,7 @@ export interface LiveMade {
 interface State {
   readonly node: FieldNode;
   readonly live: LiveBricks;
+  readonly lattice: Lattice;
   readonly places: ReadonlyMap<number, number>;
   readonly values: BrickValues;
   readonly mesh: BrickMesh;
@@ -60,35 +63,47 @@ export class LiveMesh {
 
   /** Whether `node` differs from the body before in some of its leaves or terms only, so that an edit is worth it. */
   isEdit(node: FieldNode): boolean {
-    const changes = this.#state && treeChanges(this.#state.node, node);
-    if (!changes || !this.#state) return false;
-    const parts = [...changes.values()].map((change) =>
-      change ? Math.max(change.removed.length, change.added.length) : 1,
-    );
-    return parts.reduce((sum, count) => sum + count, 0) <= EDIT * this.#state.asked;
+    return this.#changesTo(node) !== null;
+  }
+
+  #changesTo(node: FieldNode): TreeChanges | null {
+    const found = this.#state && treeChanges(this.#state.node, node);
+    return found && found.touched <= EDIT * this.#state!.asked ? found : null;
   }
 
   /** Given up half-way it begins anew the next time. FieldError for what has no field. */
   *making(node: FieldNode): Generator<number, LiveMade> {
     const field = bindField(node);
-    const tally = this.#tally;
-    tally.work = 0;
+    this.#tally.work = 0;
     const before = this.#state;
-    const changes = before && this.isEdit(node) ? treeChanges(before.node, node) : null;
+    const changes = this.#changesTo(node);
     this.#state = null;
-    if (before && changes) {
-      const whole = this.#whole(field);
-      before.live.edit(whole, changes);
-      const made = yield* this.#meshing(node, whole, before.live, before);
-      // what has no end leaves every lattice
-      if (!made.leaves || !field.box) return made.made;
-    }
+    const isStaying = before !== null && changes !== null && !this.#leaves(before, changes, node);
     const whole = this.#whole(field);
+    if (isStaying) {
+      yield* before.live.edit(whole, changes.leaves);
+      const edit = yield* this.#meshing(node, whole, before.live, before.lattice, before);
+      if (!edit.isCut || !field.box) return edit;
+    }
+    const box = field.box && ((yield* fitting(whole, field.box)) ?? field.box);
     // a body that has left its lattice is being dragged
-    const room = before && changes ? ROOM : 0;
-    const lattice = yield* roomyLattice(whole, this.#resolution, field.box, room);
+    const lattice = roomyLattice(this.#resolution, box, before && changes ? ROOM : 0);
     const live = yield* LiveBricks.making(whole, lattice);
-    return (yield* this.#meshing(node, whole, live, null)).made;
+    return yield* this.#meshing(node, whole, live, lattice, null);
+  }
+
+  /** Whether the body leaves its lattice by what came. What has no end leaves every lattice. */
+  #leaves({ lattice, node: before }: State, { reach }: TreeChanges, after: FieldNode): boolean {
+    const { origin, step, counts } = lattice;
+    const end = (axis: 0 | 1 | 2) => origin[axis] + (counts[axis] - 1) * step;
+    const limits: Box = { min: origin, max: [end(0), end(1), end(2)] };
+    if (reach?.min.every((low, axis) => low > limits.min[axis]! && reach.max[axis]! < limits.max[axis]!)) {
+      return false;
+    }
+    return changed(before, after).some((part) => {
+      const field = bindField(part);
+      return field.box !== null && !isWithin(field.near(this.#tally), field.box, limits, step);
+    });
   }
 
   /** Leaves and branches are numbered again. */
@@ -98,7 +113,13 @@ export class LiveMesh {
     return field.near(this.#tally);
   }
 
-  *#meshing(node: FieldNode, whole: Near, live: LiveBricks, before: State | null) {
+  *#meshing(
+    node: FieldNode,
+    whole: Near,
+    live: LiveBricks,
+    lattice: Lattice,
+    before: State | null,
+  ): Generator<number, LiveMade> {
     const bricks = live.bricks();
     const placeOf = (place: number) => keptPlace(live, bricks, before, place);
     const kept = before && { values: before.values, placeOf };
@@ -109,15 +130,15 @@ export class LiveMesh {
       if (place % BATCH === 0) yield place / bricks.active.length;
     }
     const places = new Map(bricks.active.map((brick, place) => [live.number(brick), place]));
-    const made: LiveMade = {
+    values.forget();
+    this.#state = { node, live, lattice, places, values, mesh, asked: whole.asked };
+    return {
       mesh: mesh.mesh(),
+      isCut: values.leaves.includes(true),
       evaluations: this.#tally.work,
       bricks,
       renewed: bricks.active.filter((brick) => live.renewed.has(live.number(brick))).length,
     };
-    values.forget();
-    this.#state = { node, live, places, values, mesh, asked: whole.asked };
-    return { made, leaves: values.leaves.includes(true) };
   }
 }
 
@@ -127,14 +148,15 @@ function keptPlace(live: LiveBricks, { active }: Bricks, before: State | null, p
   return before && !live.renewed.has(number) ? (before.places.get(number) ?? -1) : -1;
 }
 
-function* roomyLattice(
-  whole: Near,
-  resolution: number,
-  box: Box | null,
-  share: number,
-): Generator<number, Lattice> {
+/** Of a union the parts that changed: the others are where they were. */
+function changed(before: FieldNode, after: FieldNode): readonly FieldNode[] {
+  if (before.type !== 'union' || after.type !== 'union') return [after];
+  return after.parts.filter((part, i) => JSON.stringify(part) !== JSON.stringify(before.parts[i]));
+}
+
+function roomyLattice(resolution: number, box: Box | null, share: number): Lattice {
   if (!box) return latticeOver(PAGE, resolution);
-  const { min, max } = (yield* fitting(whole, box)) ?? box;
+  const { min, max } = box;
   const room = share * Math.max(max[0] - min[0], max[1] - min[1], max[2] - min[2]);
   return latticeAround(grown({ min, max }, room), Math.round(resolution * (1 + 2 * share)));
 }

@@ -3,6 +3,7 @@
  * a twisted loop. What was found before an edit is taken over by its key.
  */
 
+import { cross3, dot3, length3 } from '../math/tuple.ts';
 import type { Vec3 } from '../math/vec.ts';
 import { type Crease, creaseNear } from './crease.ts';
 import { Corners } from './creaseCorners.ts';
@@ -15,6 +16,8 @@ const REACH = 3;
 /** cells: what is farther has to be on the surface of the whole field, which may have something else there */
 const OWN = 1;
 const ON = 0.05;
+/** sine of an angle: what is turned by less is flat */
+const TURNED = 0.05;
 /** of a cell: corners as near to each other, of the same sides, are one */
 const SAME = 0.02;
 
@@ -93,12 +96,30 @@ export class LoopPoints {
     return fan;
   }
 
-  /** Null where a vertex is there already: two in one place would be one. */
+  /** Whether a triangle of the fan would be seen from within: of blades too thin for the lattice the tip is behind the loop. */
+  #isTurned(ring: readonly number[], branches: readonly number[], { at, normals }: LoopPoint): boolean {
+    const { positions, branches: all } = this.#store;
+    const from = (vertex: number): Vec3 => [
+      positions[3 * vertex]! - at[0],
+      positions[3 * vertex + 1]! - at[1],
+      positions[3 * vertex + 2]! - at[2],
+    ];
+    return ring.some((a, i) => {
+      const b = ring[(i + 1) % ring.length]!;
+      if (all[a] !== all[b]) return false;
+      const [p, q] = [from(a), from(b)];
+      const across = cross3(p, q);
+      return dot3(across, normals[branches.indexOf(all[a]!)]!) < -TURNED * length3(p) * length3(q);
+    });
+  }
+
+  /** Null where a vertex is there already, for two in one place would be one, or where it makes no sense. */
   #fanOf(ring: readonly number[], branches: readonly number[], { at, normals }: LoopPoint): Fan | null {
     const place = Float32Array.from(at).join(' ');
     if (this.#places.has(place)) return null;
-    this.#places.add(place);
     const store = this.#store;
+    if (this.#isTurned(ring, branches, { at, normals })) return null;
+    this.#places.add(place);
     const copies = branches.map((branch, i) => {
       const side = ring.filter((vertex) => store.branches[vertex] === branch);
       const colour = store.mean(store.colours, side);

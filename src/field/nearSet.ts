@@ -17,6 +17,16 @@ interface Dropped {
   readonly way: Way;
 }
 
+/** Parts that were left out here, and in the cubes around. */
+interface AllDropped {
+  readonly here: readonly Dropped[];
+  readonly outer: AllDropped | null;
+}
+
+function* each(dropped: AllDropped | null): Generator<Dropped> {
+  for (let at = dropped; at; at = at.outer) yield* at.here;
+}
+
 export class NearSet implements Near {
   readonly low: number;
   readonly high: number;
@@ -28,14 +38,14 @@ export class NearSet implements Near {
   readonly steep: number;
   readonly plain: Colour | null;
   readonly #parts: readonly Near[];
-  readonly #dropped: readonly Dropped[];
+  readonly #dropped: AllDropped | null;
   readonly #operation: Operation;
   readonly #kind: Kind;
   readonly #scratch = new Scratch();
 
   constructor(
     parts: readonly Near[],
-    dropped: readonly Dropped[],
+    dropped: AllDropped | null,
     operation: Operation,
     kind: Kind,
     { span, leaves }: Pick<Near, 'span' | 'leaves'>,
@@ -100,7 +110,8 @@ export class NearSet implements Near {
       return new NearSet(parts, this.#dropped, this.#operation, this.#kind, this);
     }
     const { kept, dropped } = largestOf(parts, this.#kind);
-    return new NearSet(kept, [...this.#dropped, ...dropped], this.#operation, this.#kind, this);
+    const all = dropped.length > 0 ? { here: dropped, outer: this.#dropped } : this.#dropped;
+    return new NearSet(kept, all, this.#operation, this.#kind, this);
   }
 
   effect(
@@ -123,7 +134,7 @@ export class NearSet implements Near {
       return isChanged(part, changes) ? Infinity : 0;
     });
     // what did not matter may do now
-    for (const { part } of this.#dropped) {
+    for (const { part } of each(this.#dropped)) {
       const other = isChanged(part, changes) ? newer.#part(part) : null;
       if (!other) continue;
       const high = turned(other.within(x, y, z, half, 0), sign)[1]!;
@@ -161,7 +172,7 @@ export class NearSet implements Near {
 
   eachLeaf(visit: (leaf: NearLeaf) => void): void {
     for (const part of this.#parts) part.eachLeaf(visit);
-    for (const { part, way } of this.#dropped) part.eachDropped(way, visit);
+    for (const { part, way } of each(this.#dropped)) part.eachDropped(way, visit);
   }
 
   eachDropped(way: Way, visit: (leaf: NearLeaf) => void): void {
@@ -169,7 +180,7 @@ export class NearSet implements Near {
     this.#parts.forEach((part, i) => {
       part.eachDropped(i > 0 && this.#kind === 'subtraction' ? other : way, visit);
     });
-    for (const dropped of this.#dropped) dropped.part.eachDropped(dropped.way, visit);
+    for (const dropped of each(this.#dropped)) dropped.part.eachDropped(dropped.way, visit);
   }
 
   /** What errors of the parts come to. */

@@ -10,7 +10,7 @@ import type { Vec3 } from '../math/vec.ts';
 import { type FieldValue, SPREAD } from '../skeleton/skeleton.ts';
 import { evaluateTaylor, shiftedTaylor, TAYLOR, taylorAt } from '../skeleton/taylor.ts';
 import { TEST, WITH_GRADIENT } from '../skeleton/work.ts';
-import { type BoundTerm, UNSEEN } from './boundTerm.ts';
+import { type BoundTerm, type Grain, UNSEEN } from './boundTerm.ts';
 import { AROUND, closed, roundedHalf } from './closed.ts';
 import type { LeafFrame } from './leafFrame.ts';
 import {
@@ -56,28 +56,25 @@ const spread = new Float64Array(SPREAD);
 const range = new Float64Array(2);
 const ORIGIN: Vec3 = [0, 0, 0];
 
-/** kernel widths over which a field falls by T about a surface; Cauchy tubes of radius 0.6/s to 0.8/s: 1.3 and 1.5 */
-const STEEP = 1.2;
 /** kernel widths between nodes at most: what is thinner would be missed between them */
 const RESOLVED = 0.8;
 /** of T, however large cells are: intervals want no more */
 const MOST_MISSED = 1e-2;
 
-/** The near list of the whole of space: all terms. `width`: of the kernel, mm. */
+/** The near list of the whole of space: all terms. */
 export function nearSum(
   terms: readonly BoundTerm[],
   threshold: number,
-  width: number,
+  grain: Grain,
   frame: LeafFrame | null,
   tally: Tally,
 ): Near {
   const plain = commonColour(terms.map(({ colour }) => colour));
-  const seen = width / (frame?.reach(1) ?? 1);
-  const steep = (STEEP * threshold) / seen;
+  const shrunk = frame?.reach(1) ?? 1;
   const whole = {
     threshold,
-    width: seen,
-    steep,
+    width: grain.width / shrunk,
+    steep: grain.slope * shrunk,
     leaf: tally.leaves++,
     branch: tally.branches++,
     frame,
@@ -277,7 +274,7 @@ class NearSum implements Near {
   /** From the spread of the near terms and the polynomial of the others. */
   #range(taylor: Float64Array, radius: number, half: number, off: number, error: number): void {
     const { threshold, frame } = this.#whole;
-    const bent = frame ? bendInBall(taylor, radius) : bendInCube(taylor, half);
+    const bent = bendWithin(taylor, frame ? radius : half);
     const slope = Math.abs(taylor[1]!) + Math.abs(taylor[2]!) + Math.abs(taylor[3]!);
     const swing = (frame ? radius : half) * slope + bent;
     const margin = error + ROUNDING * (threshold + Math.abs(taylor[0]!) + Math.abs(spread[0]!));
@@ -381,12 +378,8 @@ function cutFor(missed: Float64Array, count: number, budget: number): number {
 }
 
 /** What the terms of the second degree may add to the value in the middle. */
-function bendInCube(c: Float64Array, half: number): number {
+function bendWithin(c: Float64Array, half: number): number {
   let sum = 0;
   for (let i = 4; i < TAYLOR; i++) sum += Math.abs(c[i]!);
   return half * half * sum;
-}
-
-function bendInBall(c: Float64Array, radius: number): number {
-  return bendInCube(c, radius);
 }

@@ -3,7 +3,7 @@
  * less is not seen, and in float32 it may be a residue of either sign. What carves has no colour.
  */
 import { type Box, FieldError, type FieldValue, SPREAD, type Spread } from '../skeleton/skeleton.ts';
-import { type BoundTerm, UNSEEN } from './boundTerm.ts';
+import { type BoundTerm, type Grain, UNSEEN } from './boundTerm.ts';
 import { grown, unite } from './boxes.ts';
 import { AROUND, closed, roundedHalf } from './closed.ts';
 import type { LeafFrame } from './leafFrame.ts';
@@ -17,23 +17,31 @@ export function checkThreshold(threshold: number): void {
     throw new FieldError(`threshold must be above 0, got ${threshold}`);
 }
 
-/** `width`: of the kernel, mm, for those that have one. FieldError when there is nothing to add. */
+/** `width`: of the kernel where it is narrowest, mm, for those that have one. FieldError when there is nothing to add. */
 export function skelSum(
   terms: readonly BoundTerm[],
   threshold: number,
   width: number | null = null,
 ): LeafField {
   if (terms.length === 0) throw new FieldError('a body needs at least one skel');
-  return new SkelSum(terms, threshold, width ?? reachOf(terms, threshold));
+  return new SkelSum(terms, threshold, grainOf(terms, threshold, width));
 }
 
 /** what a Cauchy kernel's width is of the radius of a point or a tube that is as steep as one of 1/r⁵ */
 const STEEP = 0.3;
+/** Widths and reaches of the thickest skel over which a field falls by T about a surface, at least: tubes of radius 0.6/s to 0.8/s, thick ones. */
+const FALL = { width: 1.2, reach: 2, singular: 1 };
 
-/** What is as wide as a kernel without a width: a share of how far the thinnest skel reaches by itself. */
-function reachOf(terms: readonly BoundTerm[], threshold: number): number {
+/** A kernel without a width is as wide as a share of how far the thinnest skel reaches by itself. */
+function grainOf(terms: readonly BoundTerm[], threshold: number, width: number | null): Grain {
   const reaches = terms.map(({ field, factor }) => field.offset(threshold / Math.abs(factor)));
-  return STEEP * reaches.reduce((least, reach) => (reach > 0 && reach < least ? reach : least), Infinity);
+  const reaching = reaches.filter((reach) => reach > 0 && reach < Infinity);
+  const [thin, thick] = [Math.min(Infinity, ...reaching), Math.max(0, ...reaching)];
+  if (width === null) return { width: STEEP * thin, slope: (FALL.singular * threshold) / thick };
+  return {
+    width,
+    slope: threshold * Math.min(FALL.width / width, thick > 0 ? FALL.reach / thick : Infinity),
+  };
 }
 
 /** of T and the sum */
@@ -42,13 +50,13 @@ const ROUNDING = 4e-15;
 class SkelSum implements LeafField {
   readonly #terms: readonly BoundTerm[];
   readonly #threshold: number;
-  readonly #width: number;
+  readonly #grain: Grain;
   readonly #spread = new Float64Array(SPREAD);
   readonly box: Box | null;
 
-  constructor(terms: readonly BoundTerm[], threshold: number, width: number) {
+  constructor(terms: readonly BoundTerm[], threshold: number, grain: Grain) {
     this.#terms = terms;
-    this.#width = width;
+    this.#grain = grain;
     this.#threshold = threshold;
     this.box = this.boxAbove(0);
   }
@@ -108,11 +116,11 @@ class SkelSum implements LeafField {
   }
 
   near(tally: Tally): Near {
-    return nearSum(this.#terms, this.#threshold, this.#width, null, tally);
+    return nearSum(this.#terms, this.#threshold, this.#grain, null, tally);
   }
 
   nearIn(frame: LeafFrame, _: TreeField, tally: Tally): Near {
-    return nearSum(this.#terms, this.#threshold, this.#width, frame, tally);
+    return nearSum(this.#terms, this.#threshold, this.#grain, frame, tally);
   }
 
   /** Beyond every skel's own box its term is below its even share of T + level. */

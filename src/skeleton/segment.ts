@@ -138,6 +138,7 @@ class SegmentField implements SkelField {
   apart(other: SkelField, x: number, y: number, z: number, radius: number): number {
     const found = other instanceof SegmentField ? other : (other as Partial<Quick>).source;
     if (!found || found.#kernel !== this.#kernel || found.#per !== this.#per) return Infinity;
+    if (found.#frame.exponent !== this.#frame.exponent) return Infinity;
     const shift = this.#per * Math.max(between(this.#a, found.#a), between(this.#b, found.#b));
     let mass = 0;
     let [own, theirs] = [1, 1];

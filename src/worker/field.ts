@@ -31,10 +31,13 @@ let wish: Make | null = null;
 /** of what the page said last: other bodies are not wanted */
 let latest = 0;
 let working = false;
-let live = { cells: 0, mesh: new LiveMesh(0) };
+/** nothing is kept */
+const NOTHING = { cells: 0, mesh: new LiveMesh(0) };
+let live = NOTHING;
 
 scope.onmessage = ({ data }) => {
   wish = data.type === 'make' ? data : null;
+  if (!wish?.isEdited) live = NOTHING;
   latest = data.id;
   if (wish && !working) void work();
 };
@@ -62,10 +65,11 @@ async function make(job: Make): Promise<void> {
   const levels = isEdit ? [resolution] : [...draftsBefore(resolution), resolution];
   for (const [i, cells] of levels.entries()) {
     const draft = i < levels.length - 1;
-    const wanted = () => isLatest() || (draft && i === 0 && wish !== null);
+    // an edit is soon done, and given up it would have to be begun anew
+    const wanted = () => isLatest() || ((draft || isEdit) && i === 0 && wish !== null);
     const start = performance.now();
     const step = await sliced(id, stepping(job, field, cells, draft), wanted);
-    const rest = () => ({ id, draft, milliseconds: performance.now() - start });
+    const rest = () => ({ id, draft: draft || !isLatest(), milliseconds: performance.now() - start });
     if (step) hand('mesh' in step ? handed(step, rest) : handedBricks(step, job, rest));
     if (!isLatest()) return;
   }

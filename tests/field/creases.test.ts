@@ -12,8 +12,6 @@ import { creaseCases } from './creaseCases.ts';
 import { expectSolid } from './meshes.ts';
 import { evaluated, type Point } from './trees.ts';
 
-/** Not yet: until the polygonizer has feature vertices, creases are cut by up to half a cell. */
-const ARE_SHARP = true;
 const CELLS = 48;
 /** cells */
 const CLOSE = 0.1;
@@ -22,7 +20,7 @@ const ON = 0.05;
 /** what a crease has of its length in a cell at least, for a vertex to be asked there */
 const CROSSED = 0.3;
 
-describe.skipIf(!ARE_SHARP)(`creases are sharp: within ${CLOSE} cell of the true ones`, () => {
+describe(`creases are sharp: within ${CLOSE} cell of the true ones`, () => {
   test.each(creaseCases())('$name', ({ node, sides, crease }) => {
     const { mesh, lattice } = polygonize(bindField(node), CELLS);
     expectSolid(mesh);

@@ -1,10 +1,12 @@
 /** Edited bodies: what a change does not reach is kept, and many small drags come to no more than one. */
 import { describe, expect, test } from 'vitest';
 import { bindField } from '../../src/field/bind.ts';
+import type { FieldMesh } from '../../src/field/brickMesh.ts';
 import { LiveMesh } from '../../src/field/liveMesh.ts';
 import type { FieldNode, SkelsNode } from '../../src/field/node.ts';
 import { polygonize } from '../../src/field/polygonize.ts';
 import { topology } from '../../src/mesh/check.ts';
+import { bounds, volume } from '../../src/mesh/measure.ts';
 import type { Mesh } from '../../src/mesh/mesh.ts';
 import { random } from '../fixtures/random.ts';
 import { Lot } from './lot.ts';
@@ -89,6 +91,61 @@ describe('an edit', () => {
     const fresh = polygonize(bindField(union(1.5)), CELLS);
     expect(offBy(union(1.5), edit.mesh, fresh.lattice.step)).toBeLessThan(0.05);
   });
+});
+
+/** How an edit may end: the tree before, and after. */
+const EDITS: readonly (readonly [name: string, before: FieldNode, after: FieldNode])[] = (() => {
+  const old = comb(20);
+  const { skels } = old;
+  const with_ = (terms: SkelsNode['skels']): FieldNode => ({ ...old, skels: terms });
+  const at = (dx: number): FieldNode => ({
+    type: 'union',
+    form: 'hard',
+    parts: Array.from({ length: 8 }, (_, i) => placed(comb(2), 20 * i, i === 3 ? dx : 0, 0)),
+  });
+  return [
+    ['a term in another colour', old, with_(skels.with(4, { ...skels[4]!, colour: [1, 0, 0] }))],
+    ['a term twice', old, with_([...skels, skels[4]!])],
+    ['a term less', old, with_(skels.toSpliced(7, 1))],
+    ['a factor', old, with_(skels.with(4, { ...skels[4]!, factor: 1.4 }))],
+    ['a term far away', old, comb(20, [0, 60, 0], old)],
+    ['another threshold', old, { ...old, threshold: 1.4 }],
+    ['a part that moves', at(0), at(7)],
+    ['a part that leaves', at(0), at(120)],
+    ['a part that comes back', at(120), at(0)],
+  ];
+})();
+
+test.each(EDITS)('%s: the edit is what is made at once', (_, before, after) => {
+  const live = new LiveMesh(128);
+  live.make(before);
+  // as a worker gets it
+  const { mesh, bricks } = live.make(structuredClone(after));
+  const fresh = new LiveMesh(128).make(after).mesh;
+  const { step } = bricks.lattice;
+  expect(topology(mesh)).toMatchObject({ watertight: true, finite: true });
+  expect(offBy(after, mesh, step)).toBeLessThan(0.03);
+  // tubes are some cells thick, and lattices lie otherwise
+  expect(volume(mesh) / volume(fresh)).toBeCloseTo(1, 1);
+  const [found, wanted] = [bounds(mesh), bounds(fresh)];
+  for (const end of ['min', 'max'] as const) {
+    found[end].forEach((x, axis) => {
+      expect(Math.abs(x - wanted[end][axis]!)).toBeLessThan(step);
+    });
+  }
+  const red = (of: FieldMesh) => of.colours.reduce((most, x) => Math.max(most, x), 0);
+  expect(red(mesh)).toBeCloseTo(red(fresh), 2);
+});
+
+test('what is given up half-way is made anew', () => {
+  const live = new LiveMesh(48);
+  const before = comb(20);
+  live.make(before);
+  const after = comb(20, [0.4, 0, 0], before);
+  const steps = live.making(after);
+  steps.next();
+  const { mesh } = live.make(after);
+  expect(mesh.positions).toEqual(new LiveMesh(48).make(after).mesh.positions);
 });
 
 test(`${FULL ? '10,000' : '300'} small drags are no worse than one (seed 91)`, () => {
