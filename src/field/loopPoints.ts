@@ -13,7 +13,7 @@ import { NO_BRANCH, type VertexStore } from './vertexStore.ts';
 
 /** Cells from the middle of its loop that a point on a crease may be; blades end that far from where lattices see both sides. */
 const REACH = 3;
-/** cells: what is farther has to be on the surface of the whole field, which may have something else there */
+/** cells: what is farther is held against the whole field */
 const OWN = 1;
 const ON = 0.05;
 /** sine of an angle: what is turned by less is flat */
@@ -66,7 +66,7 @@ export class LoopPoints {
     const middle = store.mean(store.positions, ring);
     const search = (of: readonly number[]) => () => {
       const found = creaseNear(near, of, middle, REACH * this.#step);
-      return found && this.#isOn(whole, found.at, middle) ? found : null;
+      return found && this.#isOn(near, whole, found.at, middle) ? found : null;
     };
     const found = this.remembered(`${key} all`, isSame, search(branches));
     if (found) return this.#around(ring, branches, found);
@@ -80,9 +80,10 @@ export class LoopPoints {
     return this.#fanOf(ring, branches, { at: crease.at, normals });
   }
 
-  #isOn(whole: Near, at: Vec3, middle: Vec3): boolean {
-    if (at.every((x, axis) => Math.abs(x - middle[axis]!) < OWN * this.#step)) return true;
-    whole.evaluate(...at, value);
+  /** What else there is may hide where these sides meet. */
+  #isOn(near: Near, whole: Near, at: Vec3, middle: Vec3): boolean {
+    const isHere = at.every((x, axis) => Math.abs(x - middle[axis]!) < OWN * this.#step);
+    (isHere ? near : whole).evaluate(...at, value);
     const slope = Math.sqrt(value[1]! * value[1]! + value[2]! * value[2]! + value[3]! * value[3]!);
     return Math.abs(value[0]!) <= ON * this.#step * slope;
   }
