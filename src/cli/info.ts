@@ -5,7 +5,7 @@ import { isBody } from '../document/document.ts';
 import { type Args, inputOf } from './args.ts';
 import { INFO } from './commands.ts';
 import { readInput } from './input.ts';
-import { countsOf, leftOut, withoutSurface } from './report.ts';
+import { countsOf, leftOut, withoutEnd, withoutSurface } from './report.ts';
 import { result } from './say.ts';
 
 /** Whether strokes make a surface at all shows in the coarsest; of bodies it does not, and finer ones take their time. */
@@ -16,5 +16,8 @@ export async function info(args: Args): Promise<void> {
   const { document } = drawing;
   const surfaces = document.parts.filter((part) => !isBody(part) && !part.hidden);
   const without = surfaces.filter((part) => !hasSurface(solidOf(part, COARSE)));
-  result({ ...countsOf(document), warnings: [...leftOut(document), ...withoutSurface(without)] });
+  result({
+    ...countsOf(document),
+    warnings: [...leftOut(document), ...withoutEnd(document), ...withoutSurface(without)],
+  });
 }

@@ -9,7 +9,7 @@ import { readInput } from './input.ts';
 import { measuresOf, type PartMeasures, total } from './measures.ts';
 import { beside, checkOutput, outputOf, stemOf, writeOutputs } from './output.ts';
 import { Problem } from './problem.ts';
-import { leftOut, nothingBecause, withoutSurface } from './report.ts';
+import { leftOut, nothingBecause, withoutEnd, withoutSurface } from './report.ts';
 import { progress, result, say } from './say.ts';
 import { backend, exporterOf, resolution, surfaceResolution } from './values.ts';
 
@@ -52,7 +52,7 @@ interface Measured {
 
 /** Builds part by part, so that it can be said how far it is; what is built is kept for the exporter. */
 async function measuredParts(document: Document, building: Building): Promise<Measured> {
-  for (const warning of leftOut(document)) say(`rotund: ${warning}`);
+  for (const warning of [...leftOut(document), ...withoutEnd(document)]) say(`rotund: ${warning}`);
   const shown = document.parts.filter(({ hidden }) => !hidden);
   const done = progress('parts meshed', shown.length);
   const found: PartMeasures[] = [];

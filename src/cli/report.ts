@@ -1,6 +1,9 @@
 /** What of a drawing is left out, and what is in it. */
+
 import { type BodyCounts, bodyCounts, sumOf } from '../document/bodyCounts.ts';
 import { type Document, isBody, type Part, strokesOf } from '../document/document.ts';
+import { bindField } from '../field/bind.ts';
+import { PAGE } from '../field/polygonize.ts';
 
 /** Components, groups and skels are those of bodies. */
 export interface Counts extends BodyCounts {
@@ -27,6 +30,13 @@ export function leftOut({ parts, draft }: Document): string[] {
   const hidden = parts.filter(({ hidden }) => hidden);
   if (hidden.length > 0) warnings.push(`${counted(hidden, 'hidden part')} left out: ${namesOf(hidden)}`);
   return warnings;
+}
+
+/** Bodies that are shown only as far as a page reaches. */
+export function withoutEnd({ parts }: Document): string[] {
+  const endless = parts.filter((part) => isBody(part) && !part.hidden && bindField(part.node).box === null);
+  if (endless.length === 0) return [];
+  return [`${counted(endless, 'part')} without end and cut off at ±${PAGE} mm: ${namesOf(endless)}`];
 }
 
 /** Parts that are shown but have no surface. */

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { countsOf, leftOut, nothingBecause } from '../../src/cli/report.ts';
+import { countsOf, leftOut, nothingBecause, withoutEnd } from '../../src/cli/report.ts';
 import { EMPTY_DOCUMENT } from '../../src/document/document.ts';
 import { BALL, BLOBS, documentOf, RING, TORUS, UNFINISHED } from './drawings.ts';
 
@@ -19,6 +19,18 @@ describe('report', () => {
   it('counts what is in bodies; shapes are no skels', () => {
     const counts = { parts: 3, strokes: 2, components: 1, groups: 1, skels: 3 };
     expect(countsOf(documentOf([BLOBS, TORUS, ...BALL]))).toEqual(counts);
+  });
+
+  it('tells of bodies that are cut off', () => {
+    const half = (name: string) => ({
+      ...TORUS,
+      name,
+      node: { type: 'shape', shape: { type: 'halfSpace', normal: [0, 1, 0], offset: 0 } } as const,
+    });
+    expect(withoutEnd(documentOf([TORUS]))).toEqual([]);
+    expect(withoutEnd(documentOf([half('Sea'), TORUS]))[0]).toMatch(
+      /^1 part is without end.*±100 mm: .Sea.$/,
+    );
   });
 
   it('names what is left out, but not a thousand names', () => {
