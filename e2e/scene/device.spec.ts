@@ -77,12 +77,14 @@ test('wires: the picture of arrays, also of as many triangles as only the GPU kn
 });
 
 test('a picture for a file, while the same buffers are on the screen', async () => {
+  // what was looked at before has wires
+  const look = { style: 'hbed-ink', wireframe: false } as const;
   await show('arrays');
-  const expected = await picture({ style: 'hbed-ink' });
+  const expected = await picture(look);
   await show('buffers');
-  const file = read(await page.evaluate(() => window.stage.file({ style: 'hbed-ink' })));
+  const file = read(await page.evaluate(() => window.stage.file(look)));
   expect(differing(file, expected)).toBeLessThan(1e-4);
-  expect(differing(await picture({ style: 'hbed-ink' }), expected)).toBeLessThan(1e-4);
+  expect(differing(await picture(look), expected)).toBeLessThan(1e-4);
 });
 
 test('a buffer that cannot be drawn is refused by name', async () => {
