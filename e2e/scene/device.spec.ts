@@ -74,11 +74,12 @@ test('wires: the picture of arrays, also of as many triangles as only the GPU kn
   await page.evaluate(() => window.stage.showHalf());
   await picture(look);
   expect(await page.evaluate(() => window.count.resources)).toBe(before);
+  // the whole of it again, for those that come
+  await page.evaluate(() => window.stage.grow());
 });
 
 test('a picture for a file, while the same buffers are on the screen', async () => {
-  // what was looked at before has wires
-  const look = { style: 'hbed-ink', wireframe: false } as const;
+  const look = { style: 'hbed-ink' } as const;
   await show('arrays');
   const expected = await picture(look);
   await show('buffers');
