@@ -83,7 +83,7 @@ test('a picture for a file, while the same buffers are on the screen', async () 
   await show('arrays');
   const expected = await picture(look);
   await show('buffers');
-  const file = read(await page.evaluate(() => window.stage.file(look)));
+  const file = read(await page.evaluate((wanted) => window.stage.file(wanted), look));
   expect(differing(file, expected)).toBeLessThan(1e-4);
   expect(differing(await picture(look), expected)).toBeLessThan(1e-4);
 });
