@@ -8,9 +8,6 @@ const WIDTH = 1024;
 export const ITEM = 16;
 const ENTRIES = ['scan_items', 'scan_totals', 'add_totals'] as const;
 
-/** items that one dispatch reaches */
-export const MOST_ITEMS = WIDTH * 65535;
-
 /** How many totals there are of so many items: one a group, and last that of all. */
 export const totalsOf = (items: number): number => Math.ceil(items / WIDTH) + 1;
 

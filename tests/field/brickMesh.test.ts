@@ -6,6 +6,7 @@ import { type Bricks, culling } from '../../src/field/bricks.ts';
 import { BrickValues } from '../../src/field/brickValues.ts';
 import { type Lattice, latticeAround, nodeCount } from '../../src/field/lattice.ts';
 import { type Near, Tally } from '../../src/field/near.ts';
+import type { TreeField } from '../../src/field/treeField.ts';
 import { topology } from '../../src/mesh/check.ts';
 import { volume } from '../../src/mesh/measure.ts';
 import { random } from '../fixtures/random.ts';
@@ -44,32 +45,27 @@ describe('bricks', () => {
     for (let i = 0; i < 40; i++) {
       const field = bindField(randomTree(lot, 2));
       const lattice = latticeAround({ min: [-6, -6, -6], max: [6, 6, 6] }, 20);
-      const tally = new Tally();
-      const whole = field.near(tally);
-      const bricks = finished(culling(whole, lattice));
-      const values = new BrickValues(whole, bricks, tally);
-      const signs = new Map<number, boolean>();
-      const [nx, ny, nz] = lattice.counts;
-      bricks.active.forEach(({ i: bi, j: bj, k: bk }, place) => {
-        values.fill(place).forEach((value, c) => {
-          const [x, y, z] = [4 * bi + (c % 5), 4 * bj + (Math.floor(c / 5) % 5), 4 * bk + Math.floor(c / 25)];
-          signs.set(x + nx * (y + ny * z), value > 0);
-        });
-      });
-      if (bricks.active.length > 0) surfaces++;
-      for (const [node, sign] of signs) {
-        const at = [node % nx, Math.floor(node / nx) % ny, Math.floor(node / (nx * ny))] as const;
-        if (at.some((a, axis) => a === 0 || a === [nx, ny, nz][axis]! - 1)) continue;
-        const p = at.map((a, axis) => lattice.origin[axis]! + a * lattice.step) as [number, number, number];
-        nodes++;
-        if (field.value(...p) > 0 !== sign) doubtful++;
-      }
+      const found = signsOf(field, lattice);
+      if (found.bricks > 0) surfaces++;
+      nodes += found.nodes;
+      doubtful += found.wrong;
     }
     expect(surfaces).toBeGreaterThan(20);
     expect(nodes).toBeGreaterThan(50_000);
     console.info(`signs: ${doubtful} of ${nodes} wrong`);
     // interpolation is estimated, not proven
     expect(doubtful).toBeLessThan(1e-4 * nodes);
+  });
+
+  test.each([0.05, 0.1, 0.3])('see skels that are flattened to %f of their height', (by) => {
+    const skels = [0, 1, 2].map((i) => ({
+      skel: { type: 'segment', a: [4 * i, 0, 0], b: [4 * i + 6, 3, 2], weights: [1] } as const,
+      warp: { section: { type: 'round' }, scale: [1, by], up: [0, 0, 1] } as const,
+    }));
+    const field = bindField({ type: 'skels', kernel: 'cauchy', params: { s: 0.25 }, threshold: 2.5, skels });
+    const { wrong, nodes } = signsOf(field, latticeAround(field.box!, 48));
+    expect(nodes).toBeGreaterThan(1000);
+    expect(wrong).toBe(0);
   });
 
   test('that are culled hold no surface, and every other cell is in an active one (40 trees, seed 72)', () => {
@@ -97,3 +93,28 @@ describe('bricks', () => {
     }
   });
 });
+
+/** Nodes of active bricks off the lattice's border, and those whose sign is not the field's. */
+function signsOf(field: TreeField, lattice: Lattice) {
+  const tally = new Tally();
+  const whole = field.near(tally);
+  const bricks = finished(culling(whole, lattice));
+  const values = new BrickValues(whole, bricks, tally);
+  const signs = new Map<number, boolean>();
+  const [nx, ny] = lattice.counts;
+  bricks.active.forEach(({ i, j, k }, place) => {
+    values.fill(place).forEach((value, c) => {
+      const [x, y, z] = [4 * i + (c % 5), 4 * j + (Math.floor(c / 5) % 5), 4 * k + Math.floor(c / 25)];
+      signs.set(x + nx * (y + ny * z), value > 0);
+    });
+  });
+  let [nodes, wrong] = [0, 0];
+  for (const [node, sign] of signs) {
+    const at = [node % nx, Math.floor(node / nx) % ny, Math.floor(node / (nx * ny))] as const;
+    if (at.some((a, axis) => a === 0 || a === lattice.counts[axis]! - 1)) continue;
+    const [x, y, z] = at.map((a, axis) => lattice.origin[axis]! + a * lattice.step);
+    nodes++;
+    if (field.value(x!, y!, z!) > 0 !== sign) wrong++;
+  }
+  return { bricks: bricks.active.length, nodes, wrong };
+}
