@@ -27,17 +27,17 @@ export function skelSum(
   return new SkelSum(terms, threshold, grainOf(terms, threshold, width));
 }
 
-/** what a Cauchy kernel's width is of the radius of a point or a tube that is as steep as one of 1/r⁵ */
-const STEEP = 0.3;
 /** Widths and reaches of the thickest skel over which a field falls by T about a surface, at least: tubes of radius 0.6/s to 0.8/s, thick ones. */
 const FALL = { width: 1.2, reach: 2, singular: 1 };
 
-/** A kernel without a width is as wide as a share of how far the thinnest skel reaches by itself. */
+/** Kernels without a width are nowhere wide enough: beside a singular point interpolants swing through 0. */
 function grainOf(terms: readonly BoundTerm[], threshold: number, width: number | null): Grain {
-  const reaches = terms.map(({ field, factor }) => field.offset(threshold / Math.abs(factor)));
-  const reaching = reaches.filter((reach) => reach > 0 && reach < Infinity);
-  const [thin, thick] = [Math.min(Infinity, ...reaching), Math.max(0, ...reaching)];
-  if (width === null) return { width: STEEP * thin, slope: (FALL.singular * threshold) / thick };
+  const thick = terms.reduce((most, { field, factor }) => {
+    const reach = field.offset(threshold / Math.abs(factor));
+    return reach < Infinity ? Math.max(most, reach) : most;
+  }, 0);
+  // of weak skels that only together come to T nothing is known: nothing is missed then
+  if (width === null) return { width: 0, slope: thick > 0 ? (FALL.singular * threshold) / thick : 0 };
   return {
     width,
     slope: threshold * Math.min(FALL.width / width, thick > 0 ? FALL.reach / thick : Infinity),
