@@ -21,11 +21,16 @@ import { type LoopPoint, LoopPoints } from './loopPoints.ts';
 import { eachTriangle } from './loopTriangles.ts';
 import { meanNormals } from './meanNormals.ts';
 import type { Tally } from './near.ts';
+import { type Thin, thinOf } from './thin.ts';
+import type { ThinSpot } from './thinWalls.ts';
+import { unseenIn } from './unseen.ts';
 import { NO_BRANCH, type Vertex, VertexStore } from './vertexStore.ts';
 
 /** A mesh painted by the field. */
 export interface FieldMesh extends Mesh {
   readonly colours: Float32Array;
+  /** null: nowhere is the body thinner than a cell; left out where nobody looked */
+  readonly thin?: Thin | null;
 }
 
 const AXES = [1, SIDE, SIDE * SIDE] as const;
@@ -49,6 +54,7 @@ export class BrickMesh {
   readonly #point = new EdgePoint();
   readonly #fans: CreaseFans;
   readonly #points: LoopPoints;
+  readonly #unseen: ThinSpot[] = [];
   #brick: Brick;
   #own: Float64Array = new Float64Array(CORNERS);
   #isKept = false;
@@ -80,6 +86,7 @@ export class BrickMesh {
       inside[c] = values[c]! > 0 ? 1 : 0;
       count += inside[c]!;
     }
+    if (count === 0) this.#lookBetween();
     if (count === 0 || count === CORNERS) return;
     for (let k = 0; k < BRICK; k++) {
       for (let j = 0; j < BRICK; j++) {
@@ -100,6 +107,7 @@ export class BrickMesh {
       uvs: new Float32Array((2 * positions.length) / 3),
       indices: Uint32Array.from(this.#indices),
       colours: Float32Array.from(colours),
+      thin: thinOf({ positions, normals }, this.#bricks.lattice, this.#unseen),
     };
     if (flat.length > 0) meanNormals(mesh, new Set(flat));
     return mesh;
@@ -108,6 +116,11 @@ export class BrickMesh {
   readonly #triangle = (a: number, b: number, c: number): void => {
     this.#indices.push(a, b, c);
   };
+
+  #lookBetween(): void {
+    const missed = unseenIn(this.#brick, this.#own, this.#bricks.lattice);
+    if (missed) this.#unseen.push(missed);
+  }
 
   /** The cube whose first corner is `c`. */
   #cube(c: number): void {
