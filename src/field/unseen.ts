@@ -14,7 +14,7 @@ import { between, THIN, type ThinSpot } from './thinWalls.ts';
 /** Fields of thin skels rise the more the nearer they are. */
 const STEEPER = 1.5;
 /** of a cell: how far beyond the surface, as the gradient has it, the inside is looked for */
-const BEYOND = [0.04, 0.15, 0.4] as const;
+const BEYOND = [0.005, 0.04, 0.15, 0.4] as const;
 
 /** cells: where the gradient of a corner tells nothing any more */
 const FARTHEST = 2;
