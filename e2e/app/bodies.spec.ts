@@ -2,6 +2,7 @@
 import { readFileSync } from 'node:fs';
 import { expect, type Page, test } from '@playwright/test';
 import { makeBody } from '../../src/document/bodies.ts';
+import { cellsOfBodies, finerCells } from '../../src/document/cells.ts';
 import { isBody } from '../../src/document/document.ts';
 import { parse } from '../../src/document/serialize.ts';
 import { exporters, modelOf } from '../../src/export/index.ts';
@@ -73,7 +74,10 @@ for (const [address, backend] of [
       return btoa(binary);
     });
     const opened = parse(WHALE, 'whale.rotund');
-    for (const { node } of opened.document.parts.filter(isBody)) makeBody(node);
+    const cellsOf = cellsOfBodies(opened.document);
+    for (const { node } of opened.document.parts.filter(isBody)) {
+      makeBody(node, finerCells(makeBody(node, cellsOf(node))));
+    }
     const [expected] = await exporters.glb.write(modelOf(opened.document, opened.name));
     expect(Buffer.from(base64, 'base64').equals(expected!.bytes)).toBe(true);
     expect(errors).toEqual([]);

@@ -69,7 +69,7 @@ test('on the graphics device it is the same body, drawn where it lies', async ({
   const onCpu = await body(page);
   expect(onCpu).toMatchObject({ onDevice: false, maker: 'CPU, worker' });
   await expect(page.locator('.status')).toContainText(
-    /CPU, worker · \d+ × \d+ × \d+ cells · \d+( k)? evaluations · \d+ ms/,
+    /CPU, worker · \d+ × \d+ × \d+ cells · \d+( k)? evaluations · mesh after \d+ ms/,
   );
   const orange = await coloured(page);
   await page.getByRole('radio', { name: 'GPU' }).click();

@@ -11,7 +11,7 @@ import { messageOf } from './events.ts';
 import { WORDS } from './words.ts';
 
 /** cells along the longest side, of what is to be seen at once */
-const DRAFT = 28;
+export const DRAFT = 28;
 
 /** What of a worker is used. */
 export type BodyWorker = Pick<Worker, 'postMessage' | 'terminate' | 'onmessage' | 'onerror'>;
@@ -185,7 +185,9 @@ export class Bodies {
   #done({ node, cells }: Job, body: Body): void {
     keepBody(node, body);
     if (cells === this.#cellsOf(node)) this.#asked.set(node, cells);
-    if (cells !== DRAFT && body.mesh.indices.length === 0) this.#problems.set(node, WORDS.noSurface);
+    if (cells !== DRAFT && body.mesh.indices.length === 0 && this.#missing(node) === null) {
+      this.#problems.set(node, body.mesh.thin ? WORDS.tooThin : WORDS.noSurface);
+    }
     this.#go();
     this.#changed('made');
   }
