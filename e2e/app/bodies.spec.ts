@@ -198,3 +198,15 @@ test('a body that a script adds is where the script says', async ({ page }) => {
   expect(bounds(modelOf(document, 'x').solids[0]!.mesh).max[0]).toBeCloseTo(17, 2);
   expect(await coloured(page, 2)).toBeGreaterThan(4000);
 });
+
+test('a file without a view fills the window, even with what no draft shows', async ({ page }) => {
+  const plate = { type: 'shape', shape: { type: 'box', half: [300, 1.5, 300] }, colour: [0, 0.6, 0] };
+  const far = { type: 'affine', matrix: [1, 0, 0, 5000, 0, 0.8, -0.6, 0, 0, 0.6, 0.8, 0], node: plate };
+  await open(page, '/', withBodies(far));
+  const view = await page.evaluate(() => document.querySelector('rotund-sketch')!.session.view);
+  expect(view.height).toBeGreaterThan(400);
+  expect(view.height).toBeLessThan(1200);
+  expect(Math.abs(view.pivot[0] - 5000)).toBeLessThan(100);
+  expect(await coloured(page, 1)).toBeGreaterThan(10_000);
+  await page.getByRole('button', { name: 'Parts, 1' }).click();
+});

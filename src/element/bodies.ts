@@ -74,6 +74,15 @@ export class Bodies {
     return this.#wanted.every((node) => bodyMade(node) !== null || this.problem(node) !== null);
   }
 
+  /** A draft is still all there is of what is thinner than its cells: pieces of it, or nothing, are in the picture. */
+  get lacking(): boolean {
+    return this.#wanted.some((node) => {
+      const made = bodyMade(node);
+      const isDraft = made?.cells === DRAFT && this.problem(node) === null;
+      return isDraft && (made.mesh.indices.length === 0 || Boolean(made.mesh.thin));
+    });
+  }
+
   /** Why there is no such body, in words. */
   problem(node: FieldNode): string | null {
     return this.#problems.get(node) ?? null;
