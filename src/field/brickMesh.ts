@@ -16,6 +16,7 @@ import { CreaseFans } from './creaseFans.ts';
 import { AMBIGUOUS, CubeLoops } from './cubeLoops.ts';
 import { CROSSING_FLOPS, cubicCrossing, EdgePoint } from './edgePoint.ts';
 import { CORNERS, SIDE } from './hermite.ts';
+import { isolatedSpots } from './isolated.ts';
 import { BRICK } from './lattice.ts';
 import { type LoopPoint, LoopPoints } from './loopPoints.ts';
 import { eachTriangle } from './loopTriangles.ts';
@@ -55,6 +56,8 @@ export class BrickMesh {
   readonly #fans: CreaseFans;
   readonly #points: LoopPoints;
   readonly #unseen: ThinSpot[] = [];
+  /** places of bricks without a corner inside */
+  readonly #empty: number[] = [];
   #brick: Brick;
   #own: Float64Array = new Float64Array(CORNERS);
   #isKept = false;
@@ -101,13 +104,14 @@ export class BrickMesh {
     this.#before = null;
     this.#points.forget();
     const { positions, normals, colours, flat } = this.#store;
+    const alone = isolatedSpots(this.#values.whole, this.#bricks, this.#empty);
     const mesh = {
       positions: Float32Array.from(positions),
       normals: Float32Array.from(normals),
       uvs: new Float32Array((2 * positions.length) / 3),
       indices: Uint32Array.from(this.#indices),
       colours: Float32Array.from(colours),
-      thin: thinOf({ positions, normals }, this.#bricks.lattice, this.#unseen),
+      thin: thinOf({ positions, normals }, this.#bricks.lattice, [...this.#unseen, ...alone]),
     };
     if (flat.length > 0) meanNormals(mesh, new Set(flat));
     return mesh;
@@ -117,9 +121,16 @@ export class BrickMesh {
     this.#indices.push(a, b, c);
   };
 
+  #brickNumber(): number {
+    const { i, j, k } = this.#brick;
+    const [nx, ny] = this.#bricks.counts;
+    return i + nx * (j + ny * k);
+  }
+
   #lookBetween(): void {
     const missed = unseenIn(this.#brick, this.#own, this.#bricks.lattice);
     if (missed) this.#unseen.push(missed);
+    else this.#empty.push(this.#bricks.grid[this.#brickNumber()]!);
   }
 
   /** The cube whose first corner is `c`. */

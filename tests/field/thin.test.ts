@@ -1,9 +1,11 @@
 /** What is thinner than a cell against what is known of plates, needles and shells; thick bodies give no alarm. */
 import { describe, expect, test } from 'vitest';
+import type { Affine } from '../../src/field/affine.ts';
 import type { FieldNode } from '../../src/field/node.ts';
 import type { Polygonized } from '../../src/field/polygonize.ts';
 import { cauchy } from '../../src/kernel/cauchy.ts';
 import { topology } from '../../src/mesh/check.ts';
+import { volume } from '../../src/mesh/measure.ts';
 import { lineWeight } from '../../src/skeleton/weight.ts';
 import { random } from '../fixtures/random.ts';
 import { along, made, set, shape } from './meshes.ts';
@@ -106,6 +108,50 @@ describe('what no corner of the lattice sees', () => {
     expect(cellsOf(made(node, CELLS))).toBeGreaterThan(0.5 * cells);
     expect(cellsOf(made(node, CELLS))).toBeLessThan(1.2 * cells);
   });
+});
+
+describe('unequal scales, 1 : 0.01', () => {
+  const sum = (kernel: string): FieldNode => ({
+    type: 'skels',
+    kernel,
+    params: { s: 0.4 },
+    threshold: 0.5,
+    skels: BONE,
+  });
+  const bodies: readonly (readonly [string, FieldNode])[] = [
+    ['a ball', sphere(10)],
+    ['a box', box(10, 8, 6)],
+    ['a torus', shape({ type: 'torus', ring: 10, tube: 3 })],
+    ['a capsule', shape({ type: 'capsule', half: 10, radius: 4 })],
+    ['a sum by Cauchy', sum('cauchy')],
+    ['a sum by Gauss', sum('gaussian')],
+  ];
+
+  test.each(bodies)('%s is whole, or said to be thin', (_, node) => {
+    const whole = volume(made(node, CELLS).mesh);
+    for (const axis of [0, 1, 2]) {
+      const matrix = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0].map((m, i) => (i === 5 * axis ? 0.01 : m));
+      const flat: FieldNode = { type: 'affine', matrix: matrix as unknown as Affine, node };
+      for (const body of [flat, along([0.3, 0.8, 0.52], flat)]) {
+        const { mesh } = made(body, CELLS);
+        if (mesh.thin) continue;
+        expect(topology(mesh).components).toBe(1);
+        expect(Math.abs(volume(mesh) / (0.01 * whole) - 1)).toBeLessThan(0.05);
+      }
+    }
+  });
+});
+
+test('nothing is found where nothing is: a field that comes near to 0 and stays below', () => {
+  const dim = (threshold: number): FieldNode => ({
+    type: 'skels',
+    kernel: 'cauchy',
+    params: { s: 1 },
+    threshold,
+    skels: [{ skel: { type: 'point', at: [0.1, 0.2, 0.3], weight: 1 } }],
+  });
+  expect(made(dim(1.0001), 16).mesh).toMatchObject({ thin: null, indices: { length: 0 } });
+  expect(made(dim(0.98), 8).mesh.indices.length).toBeGreaterThan(0);
 });
 
 describe('no alarm', () => {
