@@ -208,5 +208,8 @@ test('a file without a view fills the window, even with what no draft shows', as
   expect(view.height).toBeLessThan(1200);
   expect(Math.abs(view.pivot[0] - 5000)).toBeLessThan(100);
   expect(await coloured(page, 1)).toBeGreaterThan(10_000);
+  // 0.6 cells of 128, 1.3 of twice as many
   await page.getByRole('button', { name: 'Parts, 1' }).click();
+  await page.getByRole('row', { name: /^Body 1/ }).click();
+  await expect(page.getByText('Hardly thicker than a cell in 1 place')).toBeVisible();
 });
