@@ -48,6 +48,19 @@ describeGpu('bodies of a document on the GPU', () => {
     );
   });
 
+  it('are thin in the same places', async () => {
+    const node: FieldNode = { type: 'shape', shape: { type: 'torus', ring: 20, tube: 0.5 } };
+    const { mesh, backend } = await withGpuBodies(
+      (use) => use(dawnGpu()),
+      (make) => make(node, CELLS, 'Ring'),
+    );
+    const { thin } = polygonize(bindField(node), CELLS).mesh;
+    expect(backend).toBe('webgpu');
+    expect(mesh.thin!.places).toBe(thin!.places);
+    expect(mesh.thin!.least).toBeCloseTo(1, 3);
+    expect(thin!.least).toBeCloseTo(1, 3);
+  });
+
   it('are the CPU’s where they have sharp edges', async () => {
     const node = box(3, 2, 1);
     const { mesh } = await withGpuBodies(
