@@ -2,6 +2,7 @@
 import { readFileSync } from 'node:fs';
 import { expect, type Page, test } from '@playwright/test';
 import { makeBody } from '../../src/document/bodies.ts';
+import { cellsOfBodies, finerCells } from '../../src/document/cells.ts';
 import { isBody } from '../../src/document/document.ts';
 import { parse } from '../../src/document/serialize.ts';
 import { exporters, modelOf } from '../../src/export/index.ts';
@@ -73,7 +74,10 @@ for (const [address, backend] of [
       return btoa(binary);
     });
     const opened = parse(WHALE, 'whale.rotund');
-    for (const { node } of opened.document.parts.filter(isBody)) makeBody(node);
+    const cellsOf = cellsOfBodies(opened.document);
+    for (const { node } of opened.document.parts.filter(isBody)) {
+      makeBody(node, finerCells(makeBody(node, cellsOf(node))));
+    }
     const [expected] = await exporters.glb.write(modelOf(opened.document, opened.name));
     expect(Buffer.from(base64, 'base64').equals(expected!.bytes)).toBe(true);
     expect(errors).toEqual([]);
@@ -193,4 +197,19 @@ test('a body that a script adds is where the script says', async ({ page }) => {
   for (const { node } of document.parts.filter(isBody)) makeBody(node, 32);
   expect(bounds(modelOf(document, 'x').solids[0]!.mesh).max[0]).toBeCloseTo(17, 2);
   expect(await coloured(page, 2)).toBeGreaterThan(4000);
+});
+
+test('a file without a view fills the window, even with what no draft shows', async ({ page }) => {
+  const plate = { type: 'shape', shape: { type: 'box', half: [300, 1.5, 300] }, colour: [0, 0.6, 0] };
+  const far = { type: 'affine', matrix: [1, 0, 0, 5000, 0, 0.8, -0.6, 0, 0, 0.6, 0.8, 0], node: plate };
+  await open(page, '/', withBodies(far));
+  const view = await page.evaluate(() => document.querySelector('rotund-sketch')!.session.view);
+  expect(view.height).toBeGreaterThan(400);
+  expect(view.height).toBeLessThan(1200);
+  expect(Math.abs(view.pivot[0] - 5000)).toBeLessThan(100);
+  expect(await coloured(page, 1)).toBeGreaterThan(10_000);
+  // 0.6 cells of 128, 1.3 of twice as many
+  await page.getByRole('button', { name: 'Parts, 1' }).click();
+  await page.getByRole('row', { name: /^Body 1/ }).click();
+  await expect(page.getByText('Hardly thicker than a cell in 1 place')).toBeVisible();
 });

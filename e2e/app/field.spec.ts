@@ -69,7 +69,7 @@ test('on the graphics device it is the same body, drawn where it lies', async ({
   const onCpu = await body(page);
   expect(onCpu).toMatchObject({ onDevice: false, maker: 'CPU, worker' });
   await expect(page.locator('.status')).toContainText(
-    /CPU, worker · \d+ × \d+ × \d+ cells · \d+( k)? evaluations · \d+ ms/,
+    /CPU, worker · \d+ × \d+ × \d+ cells · \d+( k)? evaluations · mesh after \d+ ms/,
   );
   const orange = await coloured(page);
   await page.getByRole('radio', { name: 'GPU' }).click();
@@ -104,6 +104,18 @@ test('the body comes back after its device was lost', async ({ page }) => {
     }, PATIENT)
     .toBe(triangles);
   expect((await body(page)).problem).toBeNull();
+  // the next device has its turn
+  await expect.poll(async () => (await body(page)).onDevice, PATIENT).toBe(true);
+});
+
+test('what is hardly thicker than its cells is said, until there are enough of them', async ({ page }) => {
+  await open(page, '/field.html#skeleton=ring&radius=2&resolution=24');
+  await expect(page.locator('.status')).toContainText(/Hardly thicker than a cell in \d+ places?/);
+  await page.evaluate(() => {
+    location.hash = '#skeleton=ring&radius=2&resolution=104';
+  });
+  await expect(page.locator('.status')).not.toContainText('Hardly');
+  await expect(page.getByRole('status')).toHaveText('Body made');
 });
 
 test('what has no field is told, and the last body stays', async ({ page }) => {

@@ -50,13 +50,13 @@ export const MESH: CommandSpec = {
     {
       name: 'resolution',
       value: 'N',
-      help: 'cells along the longest side of a body, 8 to 512 (128)',
+      help: 'cells along the longest side of the whole drawing, 8 to 512; small bodies have as large ones, but 32 at least (128, and up to twice as many where a body is thin)',
     },
     BACKEND,
     HELP,
   ],
   output:
-    '{vertices, triangles, watertight, genus, volume, area, bounds, milliseconds, fieldEvaluations, parts}',
+    '{vertices, triangles, watertight, genus, volume, area, bounds, backend, thin, milliseconds, fieldEvaluations, parts}',
 };
 
 export const RENDER: CommandSpec = {

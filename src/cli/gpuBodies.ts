@@ -1,13 +1,14 @@
 /** `rotund mesh --backend gpu`: bricks by the CPU, meshes of them in WGSL, on whatever adapter there is, read back. */
-import { type Body, bodyMade, keepBody, makeBody } from '../document/bodies.ts';
+import { type Body, keepBody, makeBody } from '../document/bodies.ts';
 import { bindField } from '../field/bind.ts';
 import { hasCreases } from '../field/bricks.ts';
 import type { FieldNode } from '../field/node.ts';
 import { type Located, locating } from '../field/polygonize.ts';
+import { thinOf } from '../field/thin.ts';
 import { openDevice } from '../gpu/device.ts';
 import { type GpuPolygonizer, gpuPolygonizer } from '../gpu/polygonize/polygonizer.ts';
 import { gpuWork } from '../gpu/polygonize/work.ts';
-import type { BodyMaker } from './bodyMaker.ts';
+import type { BodyMaker, MadeBody } from './bodyMaker.ts';
 import type { OpenGpu } from './gpuEvaluator.ts';
 import { Problem } from './problem.ts';
 import { say } from './say.ts';
@@ -18,9 +19,9 @@ export async function withGpuBodies<T>(open: OpenGpu, use: (make: BodyMaker) => 
     const opened = await openDevice(gpu);
     if ('reason' in opened) throw new Problem(`--backend gpu: ${opened.reason}`, 1);
     const polygonizer = gpuPolygonizer(opened.device);
-    say(`bodies are made on ${opened.description.adapter}`);
+    say(`rotund: bodies are made on ${opened.description.adapter}`);
     try {
-      return await use((node, cells) => made(polygonizer, node, cells));
+      return await use((node, cells, name) => made(polygonizer, node, cells, name));
     } finally {
       polygonizer.destroy();
       opened.release();
@@ -29,17 +30,20 @@ export async function withGpuBodies<T>(open: OpenGpu, use: (make: BodyMaker) => 
 }
 
 /** The GPU cuts sharp edges off, so that bodies that have some are the CPU's. */
-async function made(polygonizer: GpuPolygonizer, node: FieldNode, cells: number): Promise<Body> {
-  const known = bodyMade(node);
-  if (known?.cells === cells) return known;
+async function made(
+  polygonizer: GpuPolygonizer,
+  node: FieldNode,
+  cells: number,
+  name: string,
+): Promise<MadeBody> {
   const located = locatedAt(node, cells);
   if (hasCreases(located.bricks)) {
-    say('a body with sharp edges is made by the cpu');
-    return makeBody(node, cells);
+    say(`rotund: “${name}” has sharp edges, and is made by the cpu`);
+    return { ...makeBody(node, cells), backend: 'cpu' };
   }
-  const body = { ...(await onGpu(polygonizer, node, located)), cells };
+  const body = { ...(await onGpu(polygonizer, node, located, name)), cells };
   keepBody(node, body);
-  return body;
+  return { ...body, backend: 'webgpu' };
 }
 
 function locatedAt(node: FieldNode, cells: number): Located {
@@ -54,13 +58,16 @@ async function onGpu(
   polygonizer: GpuPolygonizer,
   node: FieldNode,
   { bricks, tally }: Located,
+  name: string,
 ): Promise<Omit<Body, 'cells'>> {
   const { nodes, aVertex } = gpuWork(bricks);
   const onDevice = await polygonizer.whole(node, bricks).catch((error: unknown) => {
-    throw new Problem(`--backend gpu: ${error instanceof Error ? error.message : String(error)}`, 1);
+    const reason = error instanceof Error ? error.message : String(error);
+    throw new Problem(`--backend gpu, part “${name}”: ${reason}`, 1);
   });
   const mesh = await onDevice.read();
   onDevice.destroy();
   const vertices = mesh.positions.length / 3;
-  return { mesh, evaluations: tally.work + nodes + aVertex * vertices };
+  const thin = thinOf(mesh, bricks.lattice);
+  return { mesh: { ...mesh, thin }, evaluations: tally.work + nodes + aVertex * vertices };
 }

@@ -59,12 +59,12 @@ export function nothingBecause({ parts, draft }: Document): string {
 
 const NOWHERE = 'the field is nowhere above 0, or only where no cell sees it';
 
-const counted = (parts: readonly Part[], what: string): string =>
+export const counted = (parts: readonly unknown[], what: string): string =>
   parts.length === 1 ? `1 ${what} is` : `${parts.length} ${what}s are`;
 
 const MOST_NAMES = 5;
 
-function namesOf(parts: readonly Part[]): string {
+export function namesOf(parts: readonly Pick<Part, 'name'>[]): string {
   const names = parts.slice(0, MOST_NAMES).map(({ name }) => `“${name}”`);
   const more = parts.length - names.length;
   return names.join(', ') + (more > 0 ? ` and ${more} more` : '');

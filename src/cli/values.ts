@@ -1,5 +1,4 @@
 /** Values of options: what is written on the command line, checked. */
-import { CELLS } from '../document/bodies.ts';
 import { RESOLUTION, type Resolution } from '../document/build.ts';
 import { PICTURE_SIDE, STYLES, type Style } from '../document/look.ts';
 import { type Exporter, exporters, type Format } from '../export/index.ts';
@@ -26,9 +25,9 @@ export function surfaceResolution(text: string | undefined): Resolution {
   return u === RESOLUTION.u && v === RESOLUTION.v ? RESOLUTION : { u, v };
 }
 
-/** Cells along a body's longest side. */
-export function resolution(text: string | undefined): number {
-  return text === undefined ? CELLS : pair('--resolution', text, 1, CELL_RANGE, '128')[0];
+/** Cells along a document's longest side; null where it is not given. */
+export function resolution(text: string | undefined): number | null {
+  return text === undefined ? null : pair('--resolution', text, 1, CELL_RANGE, '128')[0];
 }
 
 export function size(text: string | undefined): Size {

@@ -14,6 +14,8 @@ let kept: GPU | null = null;
 /** Lends WebGPU for the time of `use`; it may have no adapter. */
 export async function withWebGpu<T>(use: (gpu: GPU) => Promise<T>): Promise<T> {
   const { create } = await dawn();
+  // without a loader Dawn warns on standard error before it says that there is no adapter
+  if (process.platform === 'linux' && !isLoaded('libvulkan.so.1')) loadSoftwareVulkan();
   kept = create([]) as GPU;
   if (!(await kept.requestAdapter()) && loadSoftwareVulkan()) kept = create([]) as GPU;
   try {
@@ -44,10 +46,16 @@ function loadSoftwareVulkan(): boolean {
   );
   if (!folder) return false;
   process.env.VK_ICD_FILENAMES = join(folder, 'vk_swiftshader_icd.json');
-  try {
-    process.dlopen({ exports: {} }, join(folder, 'libvulkan.so.1'), STAY);
-  } catch {
-    // It says that it is no module of Node, and stays.
-  }
+  isLoaded(join(folder, 'libvulkan.so.1'));
   return true;
+}
+
+/** Whether a library is there: it is no module of Node, which Node says, and stays. */
+function isLoaded(library: string): boolean {
+  try {
+    process.dlopen({ exports: {} }, library, STAY);
+    return true;
+  } catch (error) {
+    return !/cannot open shared object/.test(String(error));
+  }
 }

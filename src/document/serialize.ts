@@ -50,10 +50,12 @@ function read(data: object, file: string): Drawing {
   }
   const format = formatOf(data as { format?: unknown; version?: unknown }, file);
   if (format === SCRIPT_FORMAT) {
-    const { name = ownName, view, look, commands } = checked(scriptFile, data, { file });
+    const { name = ownName, view, look, version, commands } = checked(scriptFile, data, { file });
+    checkVersion(version, Math.max(1, ...new Set(commands.map(versionOfCommand))), file);
     return { name, view, look, document: carriedOut(commands, file) };
   }
-  const { name = ownName, view, look, document } = checked(documentFile, data, { file });
+  const { name = ownName, view, look, version, document } = checked(documentFile, data, { file });
+  checkVersion(version, versionOf(document), file);
   return { name, view, look, document };
 }
 
@@ -69,6 +71,16 @@ function formatOf({ format, version }: { format?: unknown; version?: unknown }, 
     throw new FileError(file, 'version', message, `${file} ${message}`);
   }
   return format;
+}
+
+/** A program of that version would lose the bodies, so that nothing wrote such a file. */
+function checkVersion(version: Version, needed: number, file: string): void {
+  if (version >= needed) return;
+  throw new FileError(
+    file,
+    'version',
+    `expected ${needed}, because there are bodies in it, found ${version}`,
+  );
 }
 
 function carriedOut(commands: readonly Command[], file: string): Document {

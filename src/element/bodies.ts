@@ -4,13 +4,14 @@
  * told of, and the drawing keeps it. Where no worker can start the page itself makes them, and waits.
  */
 import { type Body, bodyMade, CELLS, keepBody, makeBody } from '../document/bodies.ts';
+import { finerCells } from '../document/cells.ts';
 import type { FromWorker, Made, ToWorker } from '../field/fieldWork.ts';
 import type { FieldNode } from '../field/node.ts';
 import { messageOf } from './events.ts';
 import { WORDS } from './words.ts';
 
 /** cells along the longest side, of what is to be seen at once */
-const DRAFT = 28;
+export const DRAFT = 28;
 
 /** What of a worker is used. */
 export type BodyWorker = Pick<Worker, 'postMessage' | 'terminate' | 'onmessage' | 'onerror'>;
@@ -33,6 +34,9 @@ export class Bodies {
   readonly #changed: (news: News) => void;
   readonly #start: () => BodyWorker;
   readonly #problems = new WeakMap<FieldNode, string>();
+  /** cells that were asked for of what is whole, before its thin places asked for more */
+  readonly #asked = new WeakMap<FieldNode, number>();
+  #cellsOf: (node: FieldNode) => number = () => CELLS;
   #wanted: readonly FieldNode[] = [];
   #job: Job | null = null;
   #latest = 0;
@@ -48,8 +52,9 @@ export class Bodies {
     this.#start = start;
   }
 
-  /** Those that are seen: what is missing of them is made, and nothing else any more. */
-  want(nodes: readonly FieldNode[]): void {
+  /** Those that are seen, in so many cells: what is missing of them is made, and nothing else any more. */
+  want(nodes: readonly FieldNode[], cellsOf: (node: FieldNode) => number = () => CELLS): void {
+    this.#cellsOf = cellsOf;
     this.#wanted = [...new Set(nodes)];
     this.#go();
   }
@@ -67,6 +72,15 @@ export class Bodies {
   /** There is something to see of each, or will never be. */
   get drafted(): boolean {
     return this.#wanted.every((node) => bodyMade(node) !== null || this.problem(node) !== null);
+  }
+
+  /** A draft is still all there is of what is thinner than its cells: pieces of it, or nothing, are in the picture. */
+  get lacking(): boolean {
+    return this.#wanted.some((node) => {
+      const made = bodyMade(node);
+      const isDraft = made?.cells === DRAFT && this.problem(node) === null;
+      return isDraft && (made.mesh.indices.length === 0 || Boolean(made.mesh.thin));
+    });
   }
 
   /** Why there is no such body, in words. */
@@ -104,8 +118,17 @@ export class Bodies {
     const open = this.#wanted.filter((node) => this.problem(node) === null);
     const unseen = open.find((node) => bodyMade(node) === null);
     if (unseen) return { node: unseen, cells: DRAFT };
-    const coarse = open.find((node) => (bodyMade(node)?.cells ?? 0) < CELLS);
-    return coarse ? { node: coarse, cells: CELLS } : null;
+    const coarse = open.find((node) => this.#missing(node) !== null);
+    return coarse ? { node: coarse, cells: this.#missing(coarse)! } : null;
+  }
+
+  /** Cells that are still to come; null: none. As many as the command line takes unasked, so that files are the same. */
+  #missing(node: FieldNode): number | null {
+    const cells = this.#cellsOf(node);
+    const made = bodyMade(node)!;
+    if (this.#asked.get(node) !== cells && made.cells !== cells) return cells;
+    const finer = finerCells(made);
+    return made.cells === cells && finer > cells ? finer : null;
   }
 
   #send(job: Job): void {
@@ -170,7 +193,10 @@ export class Bodies {
 
   #done({ node, cells }: Job, body: Body): void {
     keepBody(node, body);
-    if (cells === CELLS && body.mesh.indices.length === 0) this.#problems.set(node, WORDS.noSurface);
+    if (cells === this.#cellsOf(node)) this.#asked.set(node, cells);
+    if (cells !== DRAFT && body.mesh.indices.length === 0 && this.#missing(node) === null) {
+      this.#problems.set(node, body.mesh.thin ? WORDS.tooThin : WORDS.noSurface);
+    }
     this.#go();
     this.#changed('made');
   }

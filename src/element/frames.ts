@@ -4,6 +4,7 @@
  */
 import { draftSolids, type Solid, solids } from '../document/build.ts';
 import type { Document } from '../document/document.ts';
+import type { View } from '../stroke/stroke.ts';
 import type { Session } from './session.ts';
 import { WORDS } from './words.ts';
 
@@ -18,8 +19,9 @@ interface Shown {
 export class Frames {
   /** ms the last surface took, from strokes to mesh */
   buildTime = 0;
-  /** The whole form is to be seen as soon as there is a scene. */
-  fit = false;
+  #fit = false;
+  /** what was fitted to drafts; null: nothing was */
+  #fitted: View | null = null;
   readonly #session: Session;
   readonly #drawn: () => void;
   #asleep = false;
@@ -32,6 +34,16 @@ export class Frames {
   constructor(session: Session, drawn: () => void) {
     this.#session = session;
     this.#drawn = drawn;
+  }
+
+  /** The whole form is to be seen as soon as there is a scene. */
+  get fit(): boolean {
+    return this.#fit;
+  }
+
+  set fit(on: boolean) {
+    this.#fit = on;
+    this.#fitted = null;
   }
 
   /** Nobody can see it: no frames. What is stale stays so until somebody can. */
@@ -79,10 +91,17 @@ export class Frames {
     this.#synced = performance.now();
     session.scene?.sync(this.#solids(session.shown()).map(({ solid, preview }) => ({ ...solid, preview })));
     // Fitting needs the size of the picture as well as the parts.
-    if (this.fit && session.scene && session.size.width > 1 && session.bodies.drafted) {
-      this.fit = false;
-      session.camera.showAll(false);
-    }
+    if (this.fit && session.scene && session.size.width > 1 && session.bodies.drafted) this.#showAll();
+  }
+
+  /** Drafts may lack what is thin: when it is there all is fitted once more, unless somebody looks elsewhere by then. */
+  #showAll(): void {
+    const session = this.#session;
+    const isElsewhere =
+      this.#fitted !== null && JSON.stringify(this.#fitted) !== JSON.stringify(session.view);
+    if (!isElsewhere) session.camera.showAll(false);
+    this.fit = !isElsewhere && session.bodies.lacking;
+    if (this.fit) this.#fitted = session.view;
   }
 
   /** A preview that took long waits its turn: the pen has the time before it. */

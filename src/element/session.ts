@@ -3,8 +3,9 @@
  * controls; the element draws those from here and calls back. Pointer moves only mark what is stale: the frame
  * does the work, and wet ink is drawn before it.
  */
-import { CELLS } from '../document/bodies.ts';
+import { bodyMade } from '../document/bodies.ts';
 import { draftIsWhole, RESOLUTION } from '../document/build.ts';
+import { cellsOfBodies } from '../document/cells.ts';
 import type { Command } from '../document/command/index.ts';
 import { type Brush, type Document, EMPTY_DOCUMENT, isBody, readingOf } from '../document/document.ts';
 import { type Drawing, FRONT_VIEW } from '../document/drawing.ts';
@@ -159,8 +160,10 @@ export class Session implements Bench, Viewport {
 
   /** Those that are seen are made beside the page. */
   wantBodies(): void {
-    const seen = this.document.parts.filter((part) => !part.hidden);
-    this.bodies.want(seen.filter(isBody).map(({ node }) => node));
+    const seen = this.document.parts.filter((part) => !part.hidden).filter(isBody);
+    const nodes = seen.map(({ node }) => node);
+    if (nodes.length === 0) this.bodies.want([]);
+    else this.bodies.want(nodes, cellsOfBodies(this.document));
   }
 
   #bodyNews(news: News): void {
@@ -469,9 +472,12 @@ export class Session implements Bench, Viewport {
 
   /** What the second line of the status shows. */
   get detail(): string {
-    const kind = readingOf(this.document) ?? this.document.parts.at(-1)?.kind;
+    const last = this.document.parts.at(-1);
+    const kind = readingOf(this.document) ?? last?.kind;
     if (!kind) return '';
-    const grid = kind === 'body' ? `${CELLS} cells` : `${RESOLUTION.u} × ${RESOLUTION.v} mesh`;
+    const body = last && isBody(last) ? bodyMade(last.node) : null;
+    if (kind === 'body') return [SURFACE.body.name, body ? `${body.cells} cells` : []].flat().join(' · ');
+    const grid = `${RESOLUTION.u} × ${RESOLUTION.v} mesh`;
     return `${SURFACE[kind].name} · ${grid}`;
   }
 }

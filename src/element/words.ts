@@ -56,6 +56,7 @@ export const WORDS = {
   cannotKeep: 'There is nothing to keep yet. Draw it again, or drop it.',
   making: (name: string, percent: number) => `Making ${name}, ${percent} %`,
   noSurface: 'Its field is nowhere above 0, or only where it is too thin to be seen.',
+  tooThin: 'All of it is thinner than the cells that it is made in.',
   notMade: (name: string, why: string) => `${name} could not be made: ${why}`,
   failed: 'This surface could not be built. The strokes are safe.',
   penFound: 'Pen found. Fingers now turn the view.',
@@ -148,6 +149,8 @@ export const PART_WORDS = {
   strokes: (count: number) => (count === 1 ? '1 stroke' : `${count} strokes`),
   skels: (count: number) => (count === 0 ? 'shapes only' : count === 1 ? '1 skel' : `${count} skels`),
   triangles: (count: number) => `${String(count).replace(/\B(?=(\d{3})+$)/g, ',')} triangles`,
+  thin: (places: number) =>
+    `Hardly thicker than a cell in ${places === 1 ? '1 place' : `${places} places`}: pieces may be missing.`,
   hidden: 'hidden',
   hide: (name: string) => `Hide ${name}`,
   show: (name: string) => `Show ${name}`,

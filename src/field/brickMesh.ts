@@ -16,16 +16,22 @@ import { CreaseFans } from './creaseFans.ts';
 import { AMBIGUOUS, CubeLoops } from './cubeLoops.ts';
 import { CROSSING_FLOPS, cubicCrossing, EdgePoint } from './edgePoint.ts';
 import { CORNERS, SIDE } from './hermite.ts';
+import { isolatedSpots } from './isolated.ts';
 import { BRICK } from './lattice.ts';
 import { type LoopPoint, LoopPoints } from './loopPoints.ts';
 import { eachTriangle } from './loopTriangles.ts';
 import { meanNormals } from './meanNormals.ts';
 import type { Tally } from './near.ts';
+import { type Thin, thinOf } from './thin.ts';
+import type { ThinSpot } from './thinWalls.ts';
+import { unseenIn } from './unseen.ts';
 import { NO_BRANCH, type Vertex, VertexStore } from './vertexStore.ts';
 
 /** A mesh painted by the field. */
 export interface FieldMesh extends Mesh {
   readonly colours: Float32Array;
+  /** null: nowhere is the body thinner than a cell; left out where nobody looked */
+  readonly thin?: Thin | null;
 }
 
 const AXES = [1, SIDE, SIDE * SIDE] as const;
@@ -49,6 +55,9 @@ export class BrickMesh {
   readonly #point = new EdgePoint();
   readonly #fans: CreaseFans;
   readonly #points: LoopPoints;
+  readonly #unseen: ThinSpot[] = [];
+  /** places of bricks without a corner inside */
+  readonly #empty: number[] = [];
   #brick: Brick;
   #own: Float64Array = new Float64Array(CORNERS);
   #isKept = false;
@@ -80,6 +89,7 @@ export class BrickMesh {
       inside[c] = values[c]! > 0 ? 1 : 0;
       count += inside[c]!;
     }
+    if (count === 0) this.#lookBetween();
     if (count === 0 || count === CORNERS) return;
     for (let k = 0; k < BRICK; k++) {
       for (let j = 0; j < BRICK; j++) {
@@ -94,12 +104,14 @@ export class BrickMesh {
     this.#before = null;
     this.#points.forget();
     const { positions, normals, colours, flat } = this.#store;
+    const alone = isolatedSpots(this.#values.whole, this.#bricks, this.#empty);
     const mesh = {
       positions: Float32Array.from(positions),
       normals: Float32Array.from(normals),
       uvs: new Float32Array((2 * positions.length) / 3),
       indices: Uint32Array.from(this.#indices),
       colours: Float32Array.from(colours),
+      thin: thinOf({ positions, normals }, this.#bricks.lattice, [...this.#unseen, ...alone]),
     };
     if (flat.length > 0) meanNormals(mesh, new Set(flat));
     return mesh;
@@ -108,6 +120,18 @@ export class BrickMesh {
   readonly #triangle = (a: number, b: number, c: number): void => {
     this.#indices.push(a, b, c);
   };
+
+  #brickNumber(): number {
+    const { i, j, k } = this.#brick;
+    const [nx, ny] = this.#bricks.counts;
+    return i + nx * (j + ny * k);
+  }
+
+  #lookBetween(): void {
+    const missed = unseenIn(this.#brick, this.#own, this.#bricks.lattice);
+    if (missed) this.#unseen.push(missed);
+    else this.#empty.push(this.#bricks.grid[this.#brickNumber()]!);
+  }
 
   /** The cube whose first corner is `c`. */
   #cube(c: number): void {

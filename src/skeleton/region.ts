@@ -2,6 +2,7 @@
  * A planar region made ready for sums over its edges: an orthonormal frame, and edges in units of a kernel from the
  * middle of the region, so that raw coordinates are subtracted once, in float64.
  */
+import { cross2 } from '../math/tuple.ts';
 import { type Vec2, type Vec3, vec3 } from '../math/vec.ts';
 import { checkNumbers, checkPlaces } from './binding.ts';
 import { FieldError } from './skeleton.ts';
@@ -84,9 +85,17 @@ function turned(loop: readonly Vec2[], [cx, cy]: Vec2, index: number): readonly 
   const area = areaOf(moved);
   const extent = moved.reduce((most, [x, y]) => Math.max(most, x * x + y * y), 0);
   if (moved.length < 3 || !(Math.abs(area) > 1e-12 * extent)) {
-    throw new FieldError(`loop ${index} of a polygon has no area`);
+    throw new FieldError(`loop ${index} of a polygon ${hasLobes(moved, extent) ? CROSSED : 'has no area'}`);
   }
   return area > 0 === (index === 0) ? moved : [...moved].reverse();
+}
+
+const CROSSED = 'crosses itself, and goes round as much one way as the other: nothing is left';
+
+/** Without area, but not all on one line. */
+function hasLobes(loop: readonly Vec2[], extent: number): boolean {
+  const fan = loop.reduce((sum, p, i) => sum + Math.abs(cross2(loop.at(i - 1)!, p)), 0);
+  return loop.length > 3 && fan > 1e-12 * extent;
 }
 
 /** mm², above 0 counter-clockwise. */

@@ -140,6 +140,54 @@ describe('rotund mesh', { timeout: 60_000 }, () => {
     expect(bytes('z.obj').toString().replace('z.mtl', 'y.mtl')).toBe(bytes('y.obj').toString());
   });
 
+  const PLATE = (half: number, name: string, x = 0): Command => ({
+    type: 'addBody',
+    name,
+    node: {
+      type: 'affine',
+      matrix: [1, 0, 0, x, 0, 1, 0, 0, 0, 0, 1, 0],
+      node: { type: 'shape', shape: { type: 'box', half: [40, half, 20] } },
+    },
+  });
+
+  it('makes finer what is thin, and warns where that is not enough or not wanted', async () => {
+    const file = put('plate.rotund', drawingFile([PLATE(0.3, 'Plate')]));
+    const unasked = await result('mesh', file, '-o', 'plate.stl');
+    expect(unasked).toMatchObject({ thin: null, backend: 'cpu' });
+    expect(near(unasked.volume, 80 * 40 * 0.6)).toBeLessThan(1e-3);
+    const { stdout, stderr } = await run(['mesh', file, '-o', 'plate.stl', '--resolution', '128']);
+    const asked = JSON.parse(stdout);
+    expect(asked.parts[0]).toMatchObject({ cells: 128, backend: 'cpu', thin: { places: 1 } });
+    expect(asked.thin.least).toBeCloseTo(0.6, 2);
+    expect(Math.abs(asked.thin.at[1])).toBeLessThan(0.01);
+    expect(stderr).toMatch(
+      /in 1 place, 0\.6 mm at the thinnest.*“Plate”; --resolution \d+ shows all of it\n$/,
+    );
+    const enough = String(asked.thin.resolution);
+    expect(stderr).toContain(`--resolution ${enough} `);
+    const finer = await result('mesh', file, '-o', 'plate.stl', '--resolution', enough);
+    expect(finer.thin).toBeNull();
+  });
+
+  it('says of what is lost whether it is too thin, and for which cells', async () => {
+    const ball: Command = {
+      type: 'addBody',
+      name: 'Ball',
+      node: { type: 'shape', shape: { type: 'sphere', radius: 40 } },
+    };
+    const file = put('foil.rotund', drawingFile([PLATE(0.03, 'Foil'), PLATE(0.15, 'Sheet', 0.1), ball]));
+    const { stdout, stderr } = await run(['mesh', file, '-o', 'foil.stl', '--resolution', '64']);
+    expect(JSON.parse(stdout).parts).toHaveLength(1);
+    expect(stderr).toMatch(/2 parts are left out.*that thin: “Foil”, “Sheet”; not even --resolution 512/);
+  });
+
+  it('has cells of one size all over a drawing', async () => {
+    const file = put('sizes.rotund', drawingFile([TORUS, ...BALL]));
+    const { parts } = await result('mesh', file, '-o', 'sizes.stl');
+    // 52 mm of 100
+    expect(parts.map(({ cells }: { cells: number | null }) => cells)).toEqual([80, null]);
+  });
+
   it('paints bodies, red on one side and blue on the other', async () => {
     const file = put('painted.rotund', drawingFile([BLOBS]));
     await result('mesh', file, '-o', 'painted.obj', '--resolution', '32');

@@ -64,6 +64,24 @@ describe('a .rotund file', () => {
   });
 });
 
+describe('a version below what is in the file', () => {
+  const node = { type: 'shape', shape: { type: 'sphere', radius: 5 } };
+  const document = { parts: [{ kind: 'body', node }] };
+  const add = { type: 'addBody', node };
+
+  it.each<readonly [string, object]>([
+    ['a drawing', { format: 'rotund', document }],
+    ['a script', { format: 'rotund-script', commands: [add] }],
+    ['a script that loads', { format: 'rotund-script', commands: [{ type: 'load', document }] }],
+  ])('is refused: bodies in %s of version 1', (_, file) => {
+    const text = (version: number) => JSON.stringify({ ...file, version });
+    expect(() => parse(text(1), 'x.rotund')).toThrow(
+      'x.rotund, version: expected 2, because there are bodies in it, found 1',
+    );
+    expect(parse(text(2), 'x.rotund').document.parts).toHaveLength(1);
+  });
+});
+
 describe('a script', () => {
   it('makes the same document and the same meshes', () => {
     const back = parse(serializeScript(scriptOf(history), drawing), 'x.rotund');

@@ -75,6 +75,26 @@ describe('Bodies', () => {
     expect(bodyMade(a)!.cells).toBe(CELLS);
   });
 
+  it('makes what is thin once more, in finer cells, and anew when others are wanted', async () => {
+    const node: FieldNode = { type: 'shape', shape: { type: 'box', half: [40, 0.4, 40] } };
+    bodies.want([node]);
+    for (let i = 0; i < 3; i++) {
+      const { id, resolution } = worker().last;
+      const { mesh, lattice, evaluations } = polygonize(bindField(node), resolution);
+      const rest = { draft: false, hasCreases: true, milliseconds: 1 };
+      worker().say({ type: 'made', id, mesh, lattice, evaluations, ...rest });
+    }
+    await bodies.settled();
+    const [, usual, finer] = worker().asked.map(({ resolution }) => resolution);
+    expect(usual).toBe(CELLS);
+    expect(bodyMade(node)!.cells).toBe(finer);
+    expect(bodyMade(node)!.mesh.thin).toBeNull();
+    bodies.want([node]);
+    expect(bodies.making).toBeNull();
+    bodies.want([node], () => 48);
+    expect(worker().last.resolution).toBe(48);
+  });
+
   it('asks for nothing that is there', async () => {
     const node = ball(5);
     makeBody(node);

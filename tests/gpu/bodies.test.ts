@@ -31,7 +31,7 @@ describeGpu('bodies of a document on the GPU', () => {
       (use) => use(dawnGpu()),
       async (make) => {
         for (const node of nodes) {
-          const { mesh, evaluations, cells } = await make(node, CELLS);
+          const { mesh, evaluations, cells } = await make(node, CELLS, 'Body');
           const cpu = polygonize(bindField(node), CELLS);
           const [own, expected] = [topology(mesh), topology(cpu.mesh)];
           expect(own).toMatchObject({ watertight: true, genus: expected.genus });
@@ -48,11 +48,24 @@ describeGpu('bodies of a document on the GPU', () => {
     );
   });
 
+  it('are thin in the same places', async () => {
+    const node: FieldNode = { type: 'shape', shape: { type: 'torus', ring: 20, tube: 0.5 } };
+    const { mesh, backend } = await withGpuBodies(
+      (use) => use(dawnGpu()),
+      (make) => make(node, CELLS, 'Ring'),
+    );
+    const { thin } = polygonize(bindField(node), CELLS).mesh;
+    expect(backend).toBe('webgpu');
+    expect(mesh.thin!.places).toBe(thin!.places);
+    expect(mesh.thin!.least).toBeCloseTo(1, 3);
+    expect(thin!.least).toBeCloseTo(1, 3);
+  });
+
   it('are the CPU’s where they have sharp edges', async () => {
     const node = box(3, 2, 1);
     const { mesh } = await withGpuBodies(
       (use) => use(dawnGpu()),
-      (make) => make(node, 16),
+      (make) => make(node, 16, 'Box'),
     );
     expect(mesh).toEqual(polygonize(bindField(node), 16).mesh);
   });
@@ -61,7 +74,7 @@ describeGpu('bodies of a document on the GPU', () => {
     const none = { requestAdapter: async () => null } as unknown as GPU;
     const made = withGpuBodies(
       (use) => use(none),
-      (make) => make(box(1, 1, 1), 16),
+      (make) => make(box(1, 1, 1), 16, 'Box'),
     );
     await expect(made).rejects.toThrow(/--backend gpu: /);
     await expect(made).rejects.toBeInstanceOf(Problem);

@@ -55,6 +55,36 @@ const REFUSED: readonly (readonly [what: string, skel: Skel, message: RegExp])[]
     /loop 0 of a polygon has no area/,
   ],
   [
+    'a bow-tie',
+    {
+      ...square,
+      loops: [
+        [
+          [0, 0],
+          [2, 2],
+          [2, 0],
+          [0, 2],
+        ],
+      ],
+    },
+    /loop 0 of a polygon crosses itself/,
+  ],
+  [
+    'four vertices on one line',
+    {
+      ...square,
+      loops: [
+        [
+          [0, 0],
+          [3, 3],
+          [1, 1],
+          [2, 2],
+        ],
+      ],
+    },
+    /loop 0 of a polygon has no area/,
+  ],
+  [
     'one vertex three times',
     {
       ...square,

@@ -29,6 +29,8 @@ export class FieldBody {
   #gpu: FieldOnGpu | null = null;
   #wish: Wish | null = null;
   #latest = 0;
+  /** ms, when the latest body was asked for */
+  #since = 0;
   /** the last tree that was refused: nothing from before it is shown any more */
   #refused = 0;
   /** why the graphics device did not make the latest body, though it was to; null: it did, or was not to */
@@ -89,6 +91,7 @@ export class FieldBody {
   #ask(failure: string | null): void {
     if (!this.#wish) return;
     const id = ++this.#latest;
+    if (failure === null) this.#since = performance.now();
     const { node, resolution, onDevice } = this.#wish;
     this.#failure = failure ?? (onDevice && !this.#gpu ? FIELD_WORDS.noDevice : null);
     const mesh = onDevice && this.#failure === null ? 'page' : 'worker';
@@ -137,10 +140,17 @@ export class FieldBody {
     const reason = this.#failure ?? (hasCreases && this.#wish?.onDevice ? FIELD_WORDS.creases : null);
     return {
       ...made,
+      milliseconds: this.#took(made),
+      thin: mesh.thin ?? null,
       vertices: mesh.positions.length / 3,
       triangles: mesh.indices.length / 3,
       maker: FIELD_WORDS.worker(reason),
     };
+  }
+
+  /** Of what was asked for before only its own step is known. */
+  #took({ id, milliseconds }: Pick<Made, 'id' | 'milliseconds'>): number {
+    return id === this.#latest ? performance.now() - this.#since : milliseconds;
   }
 
   #hearDevice({ of, mesh, vertices, triangles, milliseconds, release }: MadeOnGpu): void {
@@ -150,7 +160,11 @@ export class FieldBody {
     }
     const { id, draft, bricks, workAVertex } = of;
     const evaluations = of.evaluations + workAVertex * vertices;
-    const facts = { lattice: bricks.lattice, evaluations, milliseconds: of.milliseconds + milliseconds };
+    const facts = {
+      lattice: bricks.lattice,
+      evaluations,
+      milliseconds: this.#took({ id, milliseconds: of.milliseconds + milliseconds }),
+    };
     this.#show({ id, draft, mesh, vertices, triangles, ...facts, maker: FIELD_WORDS.device }, release);
   }
 

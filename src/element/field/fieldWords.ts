@@ -1,4 +1,5 @@
 /** The words of the field page. */
+import type { Thin } from '../../field/thin.ts';
 import type { Shown } from './shown.ts';
 
 const count = (value: number): string => {
@@ -9,16 +10,22 @@ const count = (value: number): string => {
 export const FIELD_WORDS = {
   title: 'Field',
   making: 'Making the body',
-  body: ({ triangles }: Shown) =>
-    triangles === 0 ? 'Nothing is inside. A lower T or a larger radius helps' : 'Body made',
+  body: ({ triangles, thin }: Shown) => {
+    if (triangles > 0) return 'Body made';
+    return thin
+      ? 'All of it is thinner than the cells. More cells show it'
+      : 'Nothing is inside. A lower T or a larger radius helps';
+  },
   kept: 'Not made. The last body stays',
   none: 'Not made',
   facts: ({ triangles, vertices }: Shown) => `${count(triangles)} triangles · ${count(vertices)} vertices`,
   work: ({ maker, evaluations, lattice, milliseconds }: Shown) => {
     const cells = lattice.counts.map((nodes) => nodes - 1).join(' × ');
     const time = Math.max(1, Math.round(milliseconds));
-    return `${maker} · ${cells} cells · ${count(evaluations)} evaluations · ${time} ms`;
+    return `${maker} · ${cells} cells · ${count(evaluations)} evaluations · mesh after ${time} ms`;
   },
+  thin: ({ places, least }: Thin) =>
+    `Hardly thicker than a cell in ${places === 1 ? '1 place' : `${places} places`} (${Number(least.toPrecision(2))} mm): finer cells show all of it`,
   /** `reason`: why it is not the graphics device */
   worker: (reason: string | null) => (reason === null ? 'CPU, worker' : `CPU, worker: ${reason}`),
   device: 'GPU, float32',

@@ -1,0 +1,101 @@
+/**
+ * In how many cells bodies are made: of about the same size all over a document, so that a hundred small bodies take no longer than
+ * a large one; and in finer ones where a body is thinner than they are.
+ */
+import { bindField } from '../field/bind.ts';
+import { unite } from '../field/boxes.ts';
+import { fitting } from '../field/fitBox.ts';
+import { RESOLUTION } from '../field/lattice.ts';
+import { Tally } from '../field/near.ts';
+import type { FieldNode } from '../field/node.ts';
+import { PAGE } from '../field/polygonize.ts';
+import { THIN } from '../field/thinWalls.ts';
+import { place3 } from '../math/placement.ts';
+import type { Box } from '../skeleton/skeleton.ts';
+import { type Body, CELLS } from './bodies.ts';
+import { shapeOf } from './build.ts';
+import { type Document, isBody, type Part } from './document.ts';
+import { boxOfMesh } from './extent.ts';
+
+/** Of a small body: its own longest side has so many at least, or it would be a crumb. */
+const FEWEST = 32;
+/** Bodies have whole ones of these parts of all cells: a part that is moved a little leaves the others as they are. */
+const STEPS = 8;
+/** not just as thick as what is thin */
+const ENOUGH = 1.01;
+/** times as many cells, for the sake of thin places: four times the work, and only of those bodies that have some */
+const MORE = 2;
+
+/** Cells along the longest side of each body when the whole document, hidden parts too, has `cells`. */
+export function cellsOfBodies(document: Document, cells: number = CELLS): (node: FieldNode) => number {
+  if (document.parts.length < 2) return () => cells;
+  let whole = -1;
+  return (node) => {
+    if (whole < 0) whole = sideOf(document);
+    const box = boxOfBody(node);
+    // the box of a part that was turned is smaller or larger than its own
+    const share = box && longest(box) < whole ? longest(box) / whole : 1;
+    const steps = Math.ceil(STEPS * share * (1 - 1e-9));
+    return Math.max(Math.round((cells * steps) / STEPS), Math.min(cells, FEWEST));
+  };
+}
+
+function sideOf({ parts }: Document): number {
+  const boxes = parts.map(placedBoxOf).filter((box) => box !== null);
+  return boxes.length > 0 ? longest(boxes.reduce(about)) : 0;
+}
+
+/** Cells that show all of a body, or as many as are made unasked; those it has where nothing of it is thin. */
+export function finerCells({ cells, mesh: { thin } }: Body): number {
+  if (!thin) return cells;
+  const enough = cells * wanting(thin);
+  return Math.min(Math.ceil(enough / STEPS) * STEPS, MORE * cells, RESOLUTION.max);
+}
+
+/** How much smaller cells have to be to show what is thin. */
+export const wanting = ({ least, cell }: { readonly least: number; readonly cell: number }): number =>
+  (ENOUGH * THIN * cell) / least;
+
+const about = (a: Box, b: Box): Box => unite(a, b)!;
+const ends: Box = { min: [-PAGE, -PAGE, -PAGE], max: [PAGE, PAGE, PAGE] };
+const known = new WeakMap<FieldNode, Box | null>();
+
+/** Null: it has no surface. What has no end is cut off. */
+function boxOfBody(node: FieldNode): Box | null {
+  const before = known.get(node);
+  if (before !== undefined) return before;
+  const field = bindField(node);
+  const isBounded = [...(field.box?.min ?? []), ...(field.box?.max ?? [Infinity])].every(Number.isFinite);
+  const box = isBounded && field.box ? ended(fitting(field.near(new Tally()), field.box)) : ends;
+  known.set(node, box);
+  return box;
+}
+
+function placedBoxOf(part: Part): Box | null {
+  const box = isBody(part) ? boxOfBody(part.node) : boxOfSurface(part);
+  if (!box) return null;
+  const corners = Array.from({ length: 8 }, (_, i) => {
+    const end = (axis: 0 | 1 | 2) => ((i >> axis) & 1 ? box.max : box.min)[axis];
+    return place3(part.placement, [end(0), end(1), end(2)]);
+  });
+  return corners.map((at) => ({ min: at, max: at })).reduce(about);
+}
+
+function boxOfSurface(part: Part): Box | null {
+  try {
+    const mesh = shapeOf(part);
+    return mesh && mesh.indices.length > 0 ? boxOfMesh(mesh) : null;
+  } catch {
+    // whoever wants the surface itself is told why there is none
+    return null;
+  }
+}
+
+const longest = ({ min, max }: Box): number => Math.max(max[0] - min[0], max[1] - min[1], max[2] - min[2]);
+
+function ended<T>(steps: Generator<unknown, T>): T {
+  for (;;) {
+    const { done, value } = steps.next();
+    if (done) return value as T;
+  }
+}

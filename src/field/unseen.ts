@@ -1,0 +1,75 @@
+/**
+ * What passes between the corners of a lattice: in bricks of which no corner is inside, edges along which the values would rise above 0
+ * before the next corner, as those behind say, and do not. Only there the field is asked, along its gradient: what is inside and, a
+ * cell farther, outside again was missed.
+ */
+import { add3, length3, scale3 } from '../math/tuple.ts';
+import type { Vec3 } from '../math/vec.ts';
+import type { Brick } from './bricks.ts';
+import { CORNERS, SIDE } from './hermite.ts';
+import { BRICK, type Lattice } from './lattice.ts';
+import { surfacePoint } from './surfacePoint.ts';
+import { between, THIN, type ThinSpot } from './thinWalls.ts';
+
+/** Fields of thin skels rise the more the nearer they are. */
+const STEEPER = 1.5;
+/** of a cell: how far beyond the surface, as the gradient has it, the inside is looked for */
+const BEYOND = [0.005, 0.04, 0.15, 0.4] as const;
+
+/** cells: where the gradient of a corner tells nothing any more */
+const FARTHEST = 2;
+
+const AXES = [1, SIDE, SIDE * SIDE] as const;
+/** Corner, the next and the one behind it. */
+const EDGES: readonly (readonly [corner: number, next: number, behind: number])[] = AXES.flatMap((stride) =>
+  Array.from({ length: CORNERS }, (_, c) => c).flatMap((c) => {
+    const at = Math.floor(c / stride) % SIDE;
+    return [1, -1]
+      .filter((way) => at + way >= 0 && at + way < SIDE && at - way >= 0 && at - way < SIDE)
+      .map((way) => [c, c + way * stride, c - way * stride] as const);
+  }),
+);
+
+const value = new Float64Array(4);
+
+/** A place in a brick, of which no corner is inside, with these values; null where nothing was missed. */
+export function unseenIn({ i, j, k, near }: Brick, values: Float64Array, lattice: Lattice): ThinSpot | null {
+  const corner = suspect(values);
+  if (corner < 0) return null;
+  const { origin, step } = lattice;
+  const from: Vec3 = [
+    origin[0] + (BRICK * i + (corner % SIDE)) * step,
+    origin[1] + (BRICK * j + (Math.floor(corner / SIDE) % SIDE)) * step,
+    origin[2] + (BRICK * k + Math.floor(corner / (SIDE * SIDE))) * step,
+  ];
+  near.evaluate(...from, value);
+  const [first, ...rest] = value;
+  const gradient = rest as unknown as Vec3;
+  const slope = length3(gradient);
+  const along = (distance: number) => add3(from, scale3(gradient, distance / slope));
+  const reach = -first! / slope;
+  if (!(reach < FARTHEST * step)) return null;
+  const beyond = along(reach + THIN * step);
+  const low = near.value(...beyond);
+  if (low > 0) return null;
+  const inside = BEYOND.map((by) => along(reach + by * step)).find((at) => near.value(...at) > 0);
+  if (!inside) return null;
+  const high = near.value(...inside);
+  const p = surfacePoint(near, from, inside, first!, high);
+  const q = surfacePoint(near, inside, beyond, high, low);
+  if (!p.normal || !q.normal) return null;
+  return between({ positions: [...p.at, ...q.at], normals: [...p.normal, ...q.normal] }, 0, 1);
+}
+
+/** The corner from which the surface should be nearest, though it is not there; −1: none. */
+function suspect(values: Float64Array): number {
+  let [found, least] = [-1, 1];
+  for (const [corner, next, behind] of EDGES) {
+    const [here, before] = [values[corner]!, values[behind]!];
+    const rise = STEEPER * (here - before);
+    if (!(here + rise > 0) || values[next]! > 0) continue;
+    const reach = -here / rise;
+    if (reach < least) [found, least] = [corner, reach];
+  }
+  return found;
+}
