@@ -108,17 +108,22 @@ export function stagesOn(device: GPUDevice, changed: Modules | null = null): Loa
 
 function loader(device: GPUDevice, changed: Modules): Load {
   const known = new Map<string, Promise<Stages>>();
+  // with creases or without, the same
+  const nodes = new Map<string, Pipeline<'nodes'>>();
   let plain: Promise<Plain> | null = null;
   return (ingredients, hasCreases = false) => {
     const names = KINDS.map((kind) => namesOf(ingredients, kind).join(' ')).join(', ');
     const key = `${names}, ${hasCreases ? 'creases' : 'smooth'}`;
     plain ??= loadPlain(device);
     const modules = { ...modulesOf(ingredients), ...changed };
-    const stages = known.get(key) ?? loadStages(device, plain, modules, hasCreases);
+    const ofNodes = nodes.get(names) ?? load(device, modules, 'nodes');
+    nodes.set(names, ofNodes);
+    const stages = known.get(key) ?? loadStages(device, plain, ofNodes, modules, hasCreases);
     known.set(key, stages);
     // what failed once is tried again
     stages.catch(() => {
       known.delete(key);
+      nodes.delete(names);
       plain = null;
     });
     return stages;
@@ -143,6 +148,7 @@ const TABLES: Modules = {
   'table/loops': loopModule(),
 };
 
+type Pipeline<Name extends StageName> = Promise<readonly [Name, GPUComputePipeline]>;
 type Plain = readonly [Scan, readonly (readonly [StageName, GPUComputePipeline])[]];
 
 async function loadPlain(device: GPUDevice): Promise<Plain> {
@@ -153,17 +159,18 @@ async function loadPlain(device: GPUDevice): Promise<Plain> {
 async function loadStages(
   device: GPUDevice,
   plain: Promise<Plain>,
+  nodes: Pipeline<'nodes'>,
   modules: Modules,
   hasCreases: boolean,
 ): Promise<Stages> {
   const creased = hasCreases ? { ...modules, ...CREASED } : modules;
-  const [[scan, others], nodes, vertices, creases] = await Promise.all([
+  const [[scan, others], ofNodes, vertices, creases] = await Promise.all([
     plain,
-    load(device, modules, 'nodes'),
+    nodes,
     load(device, creased, 'vertices'),
     hasCreases ? Promise.all(CREASE_NAMES.map((name) => load(device, creased, name))) : null,
   ]);
-  const pipelines = Object.fromEntries([...others, nodes, vertices]) as Pipelines<StageName>;
+  const pipelines = Object.fromEntries([...others, ofNodes, vertices]) as Pipelines<StageName>;
   return {
     pipelines,
     creases: creases && (Object.fromEntries(creases) as Pipelines<CreaseStageName>),

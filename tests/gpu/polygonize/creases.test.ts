@@ -16,7 +16,7 @@ import { expectSharp } from '../../field/creaseChecks.ts';
 import { hardTree } from '../../field/hardTrees.ts';
 import { Lot } from '../../field/lot.ts';
 import { set, touches } from '../../field/meshes.ts';
-import { body, box, placed, sphere } from '../../field/trees.ts';
+import { body, box, type Point, placed, sphere } from '../../field/trees.ts';
 import { withDevice } from '../compute.ts';
 import { closeDawn, describeGpu } from '../dawn.ts';
 
@@ -89,6 +89,18 @@ describeGpu('creases on the GPU', () => {
 
   it.each(Object.entries(SETS))('are those of the CPU: %s', async (_, node) => {
     expectAlike(await onBoth(node, CELLS));
+  });
+
+  it('end where the body is cut off: a wedge without end', async () => {
+    const plane = (normal: Point): FieldNode =>
+      placed({ type: 'shape', shape: { type: 'halfSpace', normal, offset: 0 } }, 3, 5, 7);
+    const { gpu, mesh } = await onBoth(
+      set('intersection', 'hard', plane([0, 0.6, 0.8]), plane([1, 0, 0])),
+      24,
+    );
+    expect(topology(gpu)).toEqual(topology(mesh));
+    expect(gpu.indices.length).toBe(mesh.indices.length);
+    expect(touches(gpu)).toBe(false);
   });
 
   it('are closed wherever they meet: a row of trees drawn by lot (seeds from 4300)', async () => {
