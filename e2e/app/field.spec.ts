@@ -85,10 +85,11 @@ test('on the graphics device it is the same body, drawn where it lies', async ({
   expect(await body(page)).toMatchObject({ onDevice: true, problem: null });
 });
 
-test('what has sharp edges the worker makes, and says so', async ({ page }) => {
+test('what has sharp edges is made on the graphics device, too', async ({ page }) => {
   await open(page, '/field.html#skeleton=segment&operation=union&resolution=32&where=gpu');
-  await expect(page.locator('.status')).toContainText('CPU, worker: the body has sharp edges');
-  expect(await body(page)).toMatchObject({ onDevice: false });
+  await expect.poll(async () => (await body(page)).onDevice, PATIENT).toBe(true);
+  await expect(page.locator('.status')).toContainText('GPU, float32');
+  expect(await body(page)).toMatchObject({ problem: null });
 });
 
 test('the body comes back after its device was lost', async ({ page }) => {

@@ -1,14 +1,10 @@
-#import field/combined
+#import field/joined
 #import field/leaf
-#import operation
 #import program
 #import record/program
 
 // A field tree as a flat program (src/gpu/program.ts). What is combined with a leaf stays in registers; the stack holds
 // only what waits for a whole subtree.
-
-// beyond it smooth unions of many bodies stay
-const MOST = 1e30;
 
 fn tree_field(p: vec3f) -> vec4f {
   return run_program(p, false);
@@ -45,17 +41,4 @@ fn run_program(p: vec3f, colours: bool) -> vec4f {
     result = late;
   }
   return result;
-}
-
-// Twin of Combined in src/field/combined.ts.
-fn joined(step: Step, early: vec4f, late: vec4f, colours: bool) -> vec4f {
-  let a = select(early, late, step.swapped == 1u);
-  let b = select(late, early, step.swapped == 1u);
-  let united = operation(step.operation, step.outer * a.x, step.sign * b.x, step.amounts);
-  let value = clamp(step.outer * united.x, -MOST, MOST);
-  if (colours) {
-    return vec4f(value, mix(a.yzw, b.yzw, share_of_b(united)));
-  }
-  let field = step.outer * combined(step.outer * a, step.sign * b, united);
-  return select(field, vec4f(value, 0.0, 0.0, 0.0), value != field.x);
 }

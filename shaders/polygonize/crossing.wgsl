@@ -1,5 +1,5 @@
 #import polygonize/lattice
-#import polygonize/near
+#import near
 
 // Where the surface crosses a line, mostly an edge of the lattice: Newton's steps along it from the secant of its ends, the gradient being
 // nearly free; kept between places of opposite signs, which are halved where Newton's leave them or dawdle. Twin of
@@ -32,6 +32,8 @@ struct Crossing {
   // unit, out of where the field is positive
   normal: vec3f,
   colour: vec3f,
+  // that the normal is of; −1: none
+  branch: f32,
 }
 
 // inside of the body at both ends: the lattice is left
@@ -46,15 +48,17 @@ fn surface_crossing(list: u32, search: Search) -> Crossing {
   var range = vec2f(0.0, 1.0);
   var t = search.first;
   var normal = search.normal;
+  var branch = -1.0;
   var is_found = is_cut(ends);
   // the last round is for the colour: one call, for compilers put the whole field in the place of each
   for (var round = 0u; round <= STEPS; round++) {
     let is_last = is_found || round == STEPS;
     let field = near_field(list, search_place(search, t), is_last);
     if (is_last) {
-      return Crossing(search_place(search, t), normal, field.yzw);
+      return Crossing(search_place(search, t), normal, field.yzw, branch);
     }
     normal = outward(field.yzw, normal);
+    branch = near_branch();
     let is_before = (field.x > 0.0) == (ends.x > 0.0);
     range = select(vec2f(range.x, t), vec2f(t, range.y), is_before);
     let is_late = t > 0.5 || (t == 0.5 && is_before);
@@ -66,7 +70,7 @@ fn surface_crossing(list: u32, search: Search) -> Crossing {
     let is_within = is_found || (guess > range.x && guess < range.y && is_next);
     t = kept(select(0.5 * (range.x + range.y), guess, is_within));
   }
-  return Crossing(search.middle, normal, vec3f(0.0));
+  return Crossing(search.middle, normal, vec3f(0.0), branch);
 }
 
 fn search_place(search: Search, t: f32) -> vec3f {

@@ -1,12 +1,11 @@
 #import polygonize/loops
-#import polygonize/owner
 #import polygonize/ring
 #import polygonize/state
+#import polygonize/vertexOn
 
 // The triangles of each crossed cell, loop by loop. Twin of BrickMesh in src/field/brickMesh.ts.
 
 @group(0) @binding(1) var<storage, read> crossed_cells: array<vec4u>;
-@group(0) @binding(2) var<storage, read> crossings: array<u32>;
 @group(0) @binding(3) var<storage, read> lists: array<vec4u>;
 
 @compute @workgroup_size(64)
@@ -42,13 +41,4 @@ fn emit(
     }
     start = end;
   }
-}
-
-// the number of the vertex on an edge (corner, axis) of the cell at `place`
-fn vertex_on(place: vec3u, edge: vec4u) -> u32 {
-  let n = place + edge.xyz;
-  let owner = owner_of_edge(n, edge.w);
-  let node = dot(n - 4u * owner.place, vec3u(1u, 5u, 25u));
-  let crossing = crossings[128u * u32(owner.number) + node];
-  return (crossing >> 3u) + countOneBits(crossing & ((1u << edge.w) - 1u));
 }

@@ -41,6 +41,10 @@ fn loop_end(row: vec4u, loop_number: u32) -> u32 {
   return (row.y >> (16u + 4u * loop_number)) & 15u;
 }
 
+fn loop_start(row: vec4u, loop_number: u32) -> u32 {
+  return select(loop_end(row, max(loop_number, 1u) - 1u), 0u, loop_number == 0u);
+}
+
 // the i-th edge of all loops: the corner it begins at, and its axis
 fn loop_edge(row: vec4u, i: u32) -> vec4u {
   let word = select(row.x, row.y, i >= 8u);

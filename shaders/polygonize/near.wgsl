@@ -6,3 +6,8 @@ fn near_field(at: u32, p: vec3f, colours: bool) -> vec4f {
   begin_list(at);
   return run_program(p, colours);
 }
+
+// of the value before; smooth fields have one
+fn near_branch() -> f32 {
+  return 0.0;
+}

@@ -1,18 +1,11 @@
+#import polygonize/groups
 #import polygonize/lattice
 
 // Whether all of the mesh fits, how many groups the later stages take, and what is drawn: all of it or nothing.
 
-struct Plan {
-  // as State in state.wgsl
-  counts: vec4u,
-  overflow: vec4u,
-}
-
 // of all items, last of the totals
 @group(0) @binding(0) var<storage, read> totals: array<vec4u>;
 @group(0) @binding(1) var<storage, read_write> plan_state: Plan;
-// indirect dispatches: of vertices on edges, of cells, of vertices in the middle of loops
-@group(0) @binding(2) var<storage, read_write> dispatches: array<u32, 9>;
 // an indexed indirect draw
 @group(0) @binding(3) var<storage, read_write> draw: array<u32, 5>;
 // first, count: of vertices on edges, of those in the middle of loops
@@ -25,7 +18,7 @@ fn plan() {
   let needed = vec3u(counts.x + counts.w, 3u * counts.z, counts.y);
   let overflows = any(needed > lattice.capacities.xyz);
   plan_state.counts = counts;
-  plan_state.overflow = vec4u(u32(overflows));
+  plan_state.overflow = vec4u(u32(overflows), 0u, 0u, 0u);
   plan_groups(0u, select(counts.x, 0u, overflows));
   plan_groups(3u, select(counts.y, 0u, overflows));
   plan_groups(6u, select(counts.w, 0u, overflows));
@@ -36,13 +29,4 @@ fn plan() {
   draw[2] = 0u;
   draw[3] = 0u;
   draw[4] = 0u;
-}
-
-// as many groups of 64 as it takes, in rows that no device refuses
-fn plan_groups(at: u32, threads: u32) {
-  let groups = (threads + 63u) / 64u;
-  let rows = (groups + 65534u) / 65535u;
-  dispatches[at] = (groups + max(rows, 1u) - 1u) / max(rows, 1u);
-  dispatches[at + 1u] = rows;
-  dispatches[at + 2u] = 1u;
 }

@@ -52,15 +52,15 @@ fn shortest_fan(length: u32) -> u32 {
 // in the middle of the others, with the mean of their normals and colours
 fn add_middle(vertex: u32, length: u32) {
   var position = vec4f(0.0);
-  var normal = vec4f(0.0);
+  var normal = vec3f(0.0);
   var colour = vec4f(0.0);
   for (var i = 0u; i < length; i++) {
     position += positions[ring[i]];
-    normal += normals[ring[i]];
+    normal += normals[ring[i]].xyz;
     colour += colours[ring[i]];
   }
   let size = dot(normal, normal);
   positions[vertex] = position / f32(length);
-  normals[vertex] = select(normals[ring[0]], normal * inverseSqrt(size), size > 1e-12);
+  normals[vertex] = vec4f(select(normals[ring[0]].xyz, normal * inverseSqrt(size), size > 1e-12), 0.0);
   colours[vertex] = colour / f32(length);
 }

@@ -6,6 +6,7 @@
 @group(0) @binding(1) var<storage, read> values: array<f32>;
 @group(0) @binding(2) var<storage, read> vertex_edges: array<u32>;
 @group(0) @binding(3) var<storage, read_write> positions: array<vec4f>;
+// and the branch
 @group(0) @binding(4) var<storage, read_write> normals: array<vec4f>;
 @group(0) @binding(5) var<storage, read_write> colours: array<vec4f>;
 // first vertex, and how many
@@ -38,7 +39,7 @@ fn vertices(
   }
   let point = surface_crossing(header.y, search);
   positions[vertex] = vec4f(point.position, 1.0);
-  normals[vertex] = vec4f(point.normal, 0.0);
+  normals[vertex] = vec4f(point.normal, point.branch);
   colours[vertex] = vec4f(point.colour, 1.0);
 }
 

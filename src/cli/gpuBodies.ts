@@ -1,7 +1,6 @@
 /** `rotund mesh --backend gpu`: bricks by the CPU, meshes of them in WGSL, on whatever adapter there is, read back. */
-import { type Body, keepBody, makeBody } from '../document/bodies.ts';
+import { type Body, bodyMade, keepBody } from '../document/bodies.ts';
 import { bindField } from '../field/bind.ts';
-import { hasCreases } from '../field/bricks.ts';
 import type { FieldNode } from '../field/node.ts';
 import { type Located, locating } from '../field/polygonize.ts';
 import { thinOf } from '../field/thin.ts';
@@ -29,19 +28,15 @@ export async function withGpuBodies<T>(open: OpenGpu, use: (make: BodyMaker) => 
   });
 }
 
-/** The GPU cuts sharp edges off, so that bodies that have some are the CPU's. */
 async function made(
   polygonizer: GpuPolygonizer,
   node: FieldNode,
   cells: number,
   name: string,
 ): Promise<MadeBody> {
-  const located = locatedAt(node, cells);
-  if (hasCreases(located.bricks)) {
-    say(`rotund: “${name}” has sharp edges, and is made by the cpu`);
-    return { ...makeBody(node, cells), backend: 'cpu' };
-  }
-  const body = { ...(await onGpu(polygonizer, node, located, name)), cells };
+  const known = bodyMade(node);
+  if (known?.cells === cells) return { ...known, backend: 'webgpu' };
+  const body = { ...(await onGpu(polygonizer, node, locatedAt(node, cells), name)), cells };
   keepBody(node, body);
   return { ...body, backend: 'webgpu' };
 }

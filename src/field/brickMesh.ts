@@ -70,12 +70,7 @@ export class BrickMesh {
     this.#before = before;
     this.#brick = bricks.active[0]!;
     this.#fans = new CreaseFans(this.#store.branches, this.#triangle);
-    this.#points = new LoopPoints(
-      this.#store,
-      this.#fans,
-      bricks.lattice.step,
-      before === null ? null : before.#points,
-    );
+    this.#points = new LoopPoints(this.#store, bricks.lattice.step, before === null ? null : before.#points);
   }
 
   /** The cells of one brick, with the values at its corners; bricks come in order. `isKept`: its field is that of the mesh before. */

@@ -76,7 +76,7 @@ export function* culling(whole: Near, lattice: Lattice): Generator<number, Brick
 }
 
 /** Whether smooth fields meet in it, in edges. */
-export const hasCreases = ({ active }: Pick<Bricks, 'active'>): boolean =>
+export const hasCreases = (active: readonly { readonly near: Pick<Near, 'branches'> }[]): boolean =>
   active.some(({ near }) => near.branches > 1);
 
 type At = Pick<Brick, 'i' | 'j' | 'k'>;

@@ -3,8 +3,7 @@
  * from point to point (Kobbelt et al. 2001). A point has a copy for each side, with that side's normal.
  *
  * A rim edge belongs to two loops, in cubes side by side. It is turned when both have points, and no edge between
- * these is there yet: a second one would have four triangles. Corners, where three sides meet, may be found from a cube beside their
- * own: both loops are then around the one point, and the rim edge between them is gone.
+ * these is there yet: a second one would have four triangles.
  */
 
 type Triangle = (a: number, b: number, c: number) => void;
@@ -42,15 +41,6 @@ export class CreaseFans {
     });
   }
 
-  /** Whether exactly one rim edge of the loop waits for a loop around that same point. */
-  joins(ring: readonly number[], fan: Fan): boolean {
-    const edges = ring.filter((a, i) => {
-      const b = ring[(i + 1) % ring.length]!;
-      return this.#branches[a] !== this.#branches[b] && this.#waiting.get(keyOf(a, b))?.fan === fan;
-    });
-    return edges.length === 1;
-  }
-
   /** What is left waiting has no point on its other side. */
   finish(): void {
     for (const { fan, a, b } of this.#waiting.values()) this.#plain(fan, a, b);
@@ -69,8 +59,6 @@ export class CreaseFans {
       return;
     }
     this.#waiting.delete(key);
-    // around one point the edge between two of its copies is none
-    if (other.fan === fan) return;
     const along = keyOf(first(fan), first(other.fan));
     if (this.#along.has(along)) {
       this.#plain(fan, a, b);

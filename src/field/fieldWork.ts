@@ -59,8 +59,6 @@ export interface Made extends Step {
   readonly type: 'made';
   readonly mesh: FieldMesh;
   readonly lattice: Lattice;
-  /** whether smooth pieces of it meet in edges: such bodies the worker makes, whoever was to */
-  readonly hasCreases: boolean;
 }
 
 /** The tree has no field or no surface, in words with the place. */

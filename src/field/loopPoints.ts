@@ -3,11 +3,10 @@
  * a twisted loop. What was found before an edit is taken over by its key.
  */
 
-import { cross3, dot3, length3 } from '../math/tuple.ts';
+import { add3, cross3, dot3, length3, scale3, sub3 } from '../math/tuple.ts';
 import type { Vec3 } from '../math/vec.ts';
 import { type Crease, creaseNear } from './crease.ts';
-import { Corners } from './creaseCorners.ts';
-import type { CreaseFans, Fan } from './creaseFans.ts';
+import type { Fan } from './creaseFans.ts';
 import type { Near } from './near.ts';
 import { NO_BRANCH, type VertexStore } from './vertexStore.ts';
 
@@ -18,8 +17,9 @@ const OWN = 1;
 const ON = 0.05;
 /** sine of an angle: what is turned by less is flat */
 const TURNED = 0.05;
-/** of a cell: corners as near to each other, of the same sides, are one */
-const SAME = 0.02;
+/** of the way to the middle of its loop: what is in one place with another point is moved by it */
+const APART = 1e-3;
+const TRIES = 8;
 
 /** On a crease, or in the middle of a loop, with the one normal there. */
 export type LoopPoint = Crease;
@@ -28,17 +28,14 @@ const value = new Float64Array(4);
 
 export class LoopPoints {
   readonly #store: VertexStore;
-  readonly #fans: CreaseFans;
   #before: LoopPoints | null;
   readonly #step: number;
-  readonly #corners = new Corners();
   /** places of points on creases */
   readonly #places = new Set<string>();
   readonly #found = new Map<string, LoopPoint | null>();
 
-  constructor(store: VertexStore, fans: CreaseFans, step: number, before: LoopPoints | null) {
+  constructor(store: VertexStore, step: number, before: LoopPoints | null) {
     this.#store = store;
-    this.#fans = fans;
     this.#step = step;
     this.#before = before;
   }
@@ -69,7 +66,7 @@ export class LoopPoints {
       return found && this.#isOn(near, whole, found.at, middle) ? found : null;
     };
     const found = this.remembered(`${key} all`, isSame, search(branches));
-    if (found) return this.#around(ring, branches, found);
+    if (found) return this.#fanOf(ring, branches, found, middle);
     // sides that meet in no point nearby: the crease of the two that most of the loop is on
     if (branches.length === 2) return null;
     const count = (branch: number) => ring.filter((vertex) => all[vertex] === branch).length;
@@ -77,7 +74,7 @@ export class LoopPoints {
     const crease = this.remembered(`${key} two`, isSame, search(two));
     if (!crease) return null;
     const normals = branches.map((branch) => crease.normals[two.indexOf(branch)] ?? crease.normals[0]!);
-    return this.#fanOf(ring, branches, { at: crease.at, normals });
+    return this.#fanOf(ring, branches, { at: crease.at, normals }, middle);
   }
 
   /** What else there is may hide where these sides meet. */
@@ -86,15 +83,6 @@ export class LoopPoints {
     (isHere ? near : whole).evaluate(...at, value);
     const slope = Math.sqrt(value[1]! * value[1]! + value[2]! * value[2]! + value[3]! * value[3]!);
     return Math.abs(value[0]!) <= ON * this.#step * slope;
-  }
-
-  /** Corners may have been found from a cube beside this. */
-  #around(ring: readonly number[], branches: readonly number[], found: LoopPoint): Fan | null {
-    const known = this.#corners.near(branches, found.at, SAME * this.#step);
-    if (known) return this.#fans.joins(ring, known) ? known : null;
-    const fan = this.#fanOf(ring, branches, found);
-    if (branches.length > 2) this.#corners.add(branches, found.at, fan);
-    return fan;
   }
 
   /** Whether a triangle of the fan would be seen from within: of blades too thin for the lattice the tip is behind the loop. */
@@ -114,18 +102,35 @@ export class LoopPoints {
     });
   }
 
-  /** Null where a vertex is there already, for two in one place would be one, or where it makes no sense. */
-  #fanOf(ring: readonly number[], branches: readonly number[], { at, normals }: LoopPoint): Fan | null {
-    const place = Float32Array.from(at).join(' ');
-    if (this.#places.has(place)) return null;
+  /** Null where it makes no sense. */
+  #fanOf(
+    ring: readonly number[],
+    branches: readonly number[],
+    { at: found, normals }: LoopPoint,
+    middle: Vec3,
+  ): Fan | null {
+    if (this.#isTurned(ring, branches, { at: found, normals })) return null;
+    const at = this.#own(found, middle);
     const store = this.#store;
-    if (this.#isTurned(ring, branches, { at, normals })) return null;
-    this.#places.add(place);
     const copies = branches.map((branch, i) => {
       const side = ring.filter((vertex) => store.branches[vertex] === branch);
       const colour = store.mean(store.colours, side);
       return [branch, store.add({ at, normal: normals[i]!, colour, branch })] as const;
     });
     return { copies: new Map(copies) };
+  }
+
+  /** A place that no other point has: loops around one corner find the same, and two vertices there would be one. */
+  #own(found: Vec3, middle: Vec3): Vec3 {
+    let at = found;
+    for (let i = 0; i < TRIES; i++) {
+      const place = Float32Array.from(at).join(' ');
+      if (!this.#places.has(place)) {
+        this.#places.add(place);
+        break;
+      }
+      at = add3(at, scale3(sub3(middle, at), APART));
+    }
+    return at;
   }
 }

@@ -5,6 +5,8 @@ export interface PackedBricks {
   readonly lattice: Lattice;
   /** active ones */
   readonly count: number;
+  /** whether smooth fields meet in them, in edges */
+  readonly hasCreases: boolean;
   /** as in Bricks */
   readonly grid: Int32Array<ArrayBuffer>;
   /** rows of four words */

@@ -51,19 +51,17 @@ export interface Located {
 
 /**
  * `resolution` cells along the longest side of the body in `box`, which is fitted to the body, and grown where the body leaves
- * it. Without a box the body has no end, and is cut off at `PAGE`. `first`: what was located already. FieldError for a box of no finite
- * numbers.
+ * it. Without a box the body has no end, and is cut off at `PAGE`. FieldError for a box of no finite numbers.
  */
 export function* polygonizing(
   field: TreeField,
   resolution: number,
   box: Box | null = field.box,
-  first: Located | null = null,
 ): Generator<number, Polygonized> {
   let within = box;
   let before = 0;
   for (let round = 0; ; round++) {
-    const located = (round === 0 && first) || (yield* locating(field, resolution, within));
+    const located = yield* locating(field, resolution, within);
     const { mesh, leaves } = yield* meshing(located);
     const larger = within && round < ROUNDS ? grownWhere(within, leaves) : null;
     const { bricks, tally } = located;

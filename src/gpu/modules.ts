@@ -3,10 +3,10 @@
  * what takes part in a field. Each of those is one choice among the ingredients, or a direct call where there is one.
  */
 import { GAUSS } from '../math/gaussLegendre.ts';
-import { shapes } from '../shape/index.ts';
+import { bindShape, shapes } from '../shape/index.ts';
 import { type Ingredients, type Named, namesOf, numberOf } from './ingredients.ts';
 import type { Modules } from './link.ts';
-import { ROLE, STACK, TAKE } from './program.ts';
+import { ROLE, SIDES, STACK, TAKE } from './program.ts';
 import { SHADERS } from './shaders.ts';
 import { RECORDS } from './structs.ts';
 
@@ -27,8 +27,13 @@ export function fieldModules(ingredients: Ingredients): Modules {
     // all terms of a sum, always; who knows which ones matter takes another
     list: '#import field/wholeList\n',
     shape: shapeModule(namesOf(ingredients, 'shapes')),
+    shapes: sidedShapes(namesOf(ingredients, 'shapes')),
     operation: operationModule(namesOf(ingredients, 'operations')),
-    program: [...constants('TAKE_', TAKE), ...constants('ROLE_', ROLE), ...constants('', { STACK })].join(''),
+    program: [
+      ...constants('TAKE_', TAKE),
+      ...constants('ROLE_', ROLE),
+      ...constants('', { SIDES, STACK }),
+    ].join(''),
   };
 }
 
@@ -83,15 +88,32 @@ function sectionModule(names: readonly Named<'sections'>[]): string {
 const LANES = ['a', 'b', 'c'].flatMap((four) => [...'xyzw'].map((lane) => `shape.${four}.${lane}`));
 
 function shapeModule(names: readonly Named<'shapes'>[]): string {
-  const cases = names.map((name) => {
-    const lanes = [...LANES];
-    const list = shapes[name].takes.map((type) =>
-      type === 'f32' ? lanes.shift() : `vec3f(${lanes.splice(0, 3).join(', ')})`,
-    );
-    return [numberOf('shapes', name), `${snakeCase(name)}_field(${['p', ...list].join(', ')})`] as const;
-  });
   const head = 'fn shape_field(shape: Shape, p: vec3f) -> vec4f';
+  const cases = names.map((name) => [numberOf('shapes', name), shapeCall(name, 'field')] as const);
   return `#import record/shape\n${imports('shape', names)}${choice(head, 'shape.kind', cases, 'vec4f')}`;
+}
+
+/** Shapes whose sides are told apart (shaders/field/sides.wgsl). */
+function sidedShapes(names: readonly Named<'shapes'>[]): string {
+  const sided = names.filter((name) => bindShape(shapes[name].examples[0]!).facets);
+  const calls = (among: typeof names, call: string, ...last: string[]) =>
+    among.map((name) => [numberOf('shapes', name), shapeCall(name, call, ...last)] as const);
+  const make = (head: string, type: string, cases: ReturnType<typeof calls>) =>
+    choice(`fn ${head} -> ${type}`, 'shape.kind', cases, type);
+  return [
+    `#import record/shape\n${imports('shape', names)}`,
+    make('whole_shape(shape: Shape, p: vec3f)', 'vec4f', calls(names, 'field')),
+    make('shape_side(shape: Shape, p: vec3f)', 'u32', calls(sided, 'side')),
+    make('shape_on_side(shape: Shape, p: vec3f, side: u32)', 'vec4f', calls(sided, 'on_side', 'side')),
+  ].join('');
+}
+
+function shapeCall(name: Named<'shapes'>, call: string, ...last: string[]): string {
+  const lanes = [...LANES];
+  const list = shapes[name].takes.map((type) =>
+    type === 'f32' ? lanes.shift() : `vec3f(${lanes.splice(0, 3).join(', ')})`,
+  );
+  return `${snakeCase(name)}_${call}(${['p', ...list, ...last].join(', ')})`;
 }
 
 const OPERATIONS: Readonly<Record<Named<'operations'>, string>> = {

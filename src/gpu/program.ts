@@ -12,7 +12,7 @@ import { type Affine, composed, IDENTITY, inverted, stretches } from '../field/a
 import { bindField, PLAIN } from '../field/bind.ts';
 import type { FieldNode, SetNode, ShapeNode } from '../field/node.ts';
 import type { RecordValue } from '../math/record.ts';
-import { kindOf } from '../shape/index.ts';
+import { bindShape, kindOf } from '../shape/index.ts';
 import { Heap } from './heap.ts';
 import { type Ingredients, type Named, noIngredients, numberOf } from './ingredients.ts';
 import { PLACE, PROGRAM, SHAPE, STEP } from './structs.ts';
@@ -22,6 +22,8 @@ import { addSum } from './sum.ts';
 export const TAKE = { SUM: 0, SHAPE: 1, STACK: 2 } as const;
 /** What becomes of it: the first result, a result that puts the one before aside, an operand. */
 export const ROLE = { FIRST: 0, PUSH: 1, JOIN: 2 } as const;
+/** as many smooth sides as a shape has at most, and one more */
+export const SIDES = 8;
 /** places: enough for any tree of 2¹⁷ leaves */
 export const STACK = 16;
 
@@ -37,7 +39,7 @@ export function programOf(node: FieldNode): Program {
   bindField(node);
   const heap = new Heap();
   const program = heap.add(PROGRAM, { first: 0, end: 0 });
-  const writer: Writer = { heap, used: noIngredients() };
+  const writer: Writer = { heap, used: noIngredients(), branches: { next: 0, blended: null } };
   const { steps, weight } = write(writer, node, IDENTITY);
   if (weight - 1 > STACK) throw new RangeError('the tree has too many branches for the graphics device');
   const first = heap.next;
@@ -49,6 +51,8 @@ export function programOf(node: FieldNode): Program {
 export interface Writer {
   readonly heap: Heap;
   readonly used: ReturnType<typeof noIngredients>;
+  /** the number of the next smooth field, as Near.branch has it; that of the blend or morph around, which is one */
+  readonly branches: { next: number; blended: number | null };
 }
 
 export type Step = RecordValue<(typeof STEP)['members']>;
@@ -65,9 +69,14 @@ type Join = Pick<Step, 'operation' | 'amounts' | 'outer' | 'sign'>;
 function write(writer: Writer, node: FieldNode, matrix: Affine): Code {
   switch (node.type) {
     case 'skels':
-      return leaf(TAKE.SUM, addSum(writer, node), addPlace(writer.heap, matrix, false));
+      return leaf(TAKE.SUM, addSum(writer, node), addPlace(writer.heap, matrix, false), sidesOf(writer, 1));
     case 'shape':
-      return leaf(TAKE.SHAPE, addShape(writer, node), addPlace(writer.heap, matrix, true));
+      return leaf(
+        TAKE.SHAPE,
+        addShape(writer, node),
+        addPlace(writer.heap, matrix, true),
+        sidesOf(writer, sideCount(node)),
+      );
     case 'union':
     case 'intersection':
     case 'subtraction': {
@@ -76,11 +85,15 @@ function write(writer: Writer, node: FieldNode, matrix: Affine): Code {
     }
     case 'blend': {
       const join = joinOf(writer, 'blendUnion', [node.a0, node.a1, node.a2]);
-      return joined(write(writer, node.a, matrix), write(writer, node.b, matrix), join);
+      return blended(writer, () =>
+        joined(write(writer, node.a, matrix), write(writer, node.b, matrix), join),
+      );
     }
     case 'morph': {
       const join = joinOf(writer, 'morph', [node.t, 0, 0]);
-      return joined(write(writer, node.from, matrix), write(writer, node.to, matrix), join);
+      return blended(writer, () =>
+        joined(write(writer, node.from, matrix), write(writer, node.to, matrix), join),
+      );
     }
     case 'affine':
       return write(writer, node.node, composed(matrix, node.matrix));
@@ -105,10 +118,11 @@ const NEUTRAL = {
   outer: 1,
   sign: 1,
   swapped: 0,
+  sides: 0,
 } as const;
 
-function leaf(take: number, at: number, place: number): Code {
-  return { steps: [{ ...NEUTRAL, take, at, place }], weight: 0 };
+function leaf(take: number, at: number, place: number, sides: number): Code {
+  return { steps: [{ ...NEUTRAL, take, at, place, sides }], weight: 0 };
 }
 
 /** The steps of the first operand go on with those of the second. */
@@ -122,9 +136,27 @@ function joined(a: Code, b: Code, join: Join): Code {
   } else {
     early.steps.push({ ...first!, role: ROLE.PUSH });
     for (const step of rest) early.steps.push(step);
-    early.steps.push({ ...how, take: TAKE.STACK, at: 0, place: 0 });
+    early.steps.push({ ...how, take: TAKE.STACK, at: 0, place: 0, sides: 0 });
   }
   return { steps: early.steps, weight: Math.max(early.weight, late.weight + 1) };
+}
+
+const sideCount = ({ shape }: ShapeNode): number => bindShape(shape).facets?.count ?? 1;
+
+function sidesOf({ branches }: Writer, count: number): number {
+  const first = branches.next;
+  branches.next += count;
+  return branches.blended === null ? SIDES * first + count : SIDES * branches.blended + 1;
+}
+
+/** What is written within is one smooth field. */
+function blended(writer: Writer, write: () => Code): Code {
+  const { branches } = writer;
+  const outer = branches.blended;
+  branches.blended ??= branches.next;
+  const code = write();
+  branches.blended = outer;
+  return code;
 }
 
 /** 0 where the matrix moves nothing. */

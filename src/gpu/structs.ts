@@ -111,6 +111,8 @@ export const STEP = record('Step', {
   sign: 'f32',
   /** 1 where the second operand was evaluated first */
   swapped: 'u32',
+  /** of a leaf the number of its first smooth side, SIDES times, and how many it has (branches.wgsl) */
+  sides: 'u32',
 });
 
 /** The first record of a field: its steps, and beyond the last; for pairs its terms. */

@@ -5,7 +5,6 @@
  * coarsest is finished as long as anything is wanted, so that a slider that is being dragged is followed.
  */
 import { bindField } from '../field/bind.ts';
-import { hasCreases } from '../field/bricks.ts';
 import type { FromWorker, Made, Make, ToWorker } from '../field/fieldWork.ts';
 import { LiveMesh } from '../field/liveMesh.ts';
 import { type Located, locating, type Polygonized, polygonizing } from '../field/polygonize.ts';
@@ -75,7 +74,7 @@ async function make(job: Make): Promise<void> {
   }
 }
 
-/** A mesh; or, where the page makes it and it has no creases, which graphics devices would cut off, the bricks of it. */
+/** A mesh; or, where the page makes it, the bricks of it. */
 function* stepping(
   { mesh, node, isEdited }: Make,
   field: TreeField,
@@ -85,8 +84,7 @@ function* stepping(
   if (mesh === 'worker') {
     return yield* isDraft || !isEdited ? polygonizing(field, cells) : liveOf(cells).making(node);
   }
-  const located = yield* locating(field, cells);
-  return hasCreases(located.bricks) ? yield* polygonizing(field, cells, field.box, located) : located;
+  return yield* locating(field, cells);
 }
 
 /** The body of the last wish at so many cells: what a next one leaves of it is kept. */
@@ -127,8 +125,7 @@ function hand([message, transfer]: Handed): void {
 function handed({ mesh, bricks, evaluations }: Meshed, rest: Rest): Handed {
   const { positions, normals, uvs, indices, colours } = mesh;
   const arrays = [positions, normals, uvs, indices, colours].map(({ buffer }) => buffer);
-  const facts = { lattice: bricks.lattice, evaluations, hasCreases: hasCreases(bricks) };
-  return [{ type: 'made', mesh, ...facts, ...rest() }, arrays];
+  return [{ type: 'made', mesh, lattice: bricks.lattice, evaluations, ...rest() }, arrays];
 }
 
 function handedBricks({ bricks, box, tally }: Located, { node }: Make, rest: Rest): Handed {

@@ -31,7 +31,7 @@ class FakeWorker implements BodyWorker {
   /** Answers what was asked last, in fewer cells than that, which nobody here sees. */
   answer({ id, node }: Make = this.last, draft = false): void {
     const { mesh, lattice, evaluations } = polygonize(bindField(node), draft ? 16 : 12);
-    this.say({ type: 'made', id, draft, mesh, lattice, evaluations, hasCreases: false, milliseconds: 1 });
+    this.say({ type: 'made', id, draft, mesh, lattice, evaluations, milliseconds: 1 });
   }
 }
 

@@ -8,6 +8,7 @@ import { type Polygonized, polygonize } from '../../src/field/polygonize.ts';
 import { topology } from '../../src/mesh/check.ts';
 import { area, bounds, volume } from '../../src/mesh/measure.ts';
 import type { Mesh } from '../../src/mesh/mesh.ts';
+import { weld } from '../../src/mesh/weld.ts';
 import type { Shape } from '../../src/shape/index.ts';
 import type { Point } from './trees.ts';
 
@@ -89,4 +90,12 @@ export function isWithin({ positions }: Mesh, { origin, step, counts }: Lattice)
     const axis = (i % 3) as 0 | 1 | 2;
     return x >= origin[axis] - slack && x <= origin[axis] + (counts[axis] - 1) * step + slack;
   });
+}
+
+/** Whether there are two fans of triangles at one point. The mesh is watertight. */
+export function touches(mesh: Mesh): boolean {
+  const { ids } = weld(mesh.positions);
+  const places = new Set(Array.from(mesh.indices, (i) => ids[i]!)).size;
+  // V of the Euler number counts fans
+  return topology(mesh).euler + mesh.indices.length / 6 !== places;
 }

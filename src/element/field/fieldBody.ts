@@ -136,15 +136,14 @@ export class FieldBody {
   }
 
   #shown(made: Made): Shown {
-    const { mesh, hasCreases } = made;
-    const reason = this.#failure ?? (hasCreases && this.#wish?.onDevice ? FIELD_WORDS.creases : null);
+    const { mesh } = made;
     return {
       ...made,
       milliseconds: this.#took(made),
       thin: mesh.thin ?? null,
       vertices: mesh.positions.length / 3,
       triangles: mesh.indices.length / 3,
-      maker: FIELD_WORDS.worker(reason),
+      maker: FIELD_WORDS.worker(this.#failure),
     };
   }
 

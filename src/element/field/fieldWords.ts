@@ -29,7 +29,6 @@ export const FIELD_WORDS = {
   /** `reason`: why it is not the graphics device */
   worker: (reason: string | null) => (reason === null ? 'CPU, worker' : `CPU, worker: ${reason}`),
   device: 'GPU, float32',
-  creases: 'the body has sharp edges',
   deviceFailed: 'the graphics device could not make it',
   noDevice: 'there is no graphics device for it',
   webgl2: 'WebGL2, slower',

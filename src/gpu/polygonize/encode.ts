@@ -10,7 +10,14 @@ import { type Buffers, type Slice, USAGE } from './buffers.ts';
 import type { Capacity, Outputs } from './gpuMesh.ts';
 import { MOST_ALONG } from './lists.ts';
 import { loopTable } from './loopTable.ts';
-import { LATTICE, STAGES, type StageName, type Stages } from './stages.ts';
+import {
+  CREASE_STAGES,
+  type CreaseStageName,
+  LATTICE,
+  STAGES,
+  type StageName,
+  type Stages,
+} from './stages.ts';
 
 /** By the names that STAGES binds. */
 export type Bound = Readonly<Record<string, Slice>>;
@@ -19,6 +26,8 @@ export type Bound = Readonly<Record<string, Slice>>;
 const NODES = 128;
 const CELLS = 64;
 const LOOPS = loopTable();
+/** bytes, as in shaders/polygonize/creased.wgsl */
+export const CREASED_LOOP = 64;
 /** a closed mesh has four cells around each vertex on an edge, and three such vertices around each cell */
 const CELLS_A_VERTEX = 4 / 3;
 
@@ -53,11 +62,22 @@ export function meshBuffers(buffers: Buffers, bricks: number, room: Capacity): B
     counts: buffers.get('counts', ITEM * count, USAGE.storage),
     totals: buffers.get('totals', ITEM * totalsOf(count), USAGE.storage),
     loops: buffers.put('loops', LOOPS, USAGE.uniform),
-    dispatches: buffers.get('dispatches', 36, USAGE.storage | USAGE.indirect),
+    dispatches: buffers.get('dispatches', 48, USAGE.storage | USAGE.indirect),
     edgeSpan: buffers.get('edgeSpan', 16, USAGE.storage | USAGE.uniform),
     middleSpan: buffers.get('middleSpan', 16, USAGE.storage | USAGE.uniform),
     vertexEdges: buffers.get('vertexEdges', 4 * room.vertices, USAGE.storage),
     crossedCells: buffers.get('crossedCells', 16 * cellsOf(room), USAGE.storage),
+  };
+}
+
+/** The same for creases. */
+export function creaseBuffers(buffers: Buffers, room: Capacity): Bound {
+  const cells = cellsOf(room);
+  return {
+    ringCounts: buffers.get('ringCounts', ITEM * cells, USAGE.storage),
+    ringTotals: buffers.get('ringTotals', ITEM * totalsOf(cells), USAGE.storage),
+    // each has two vertices at least
+    creasedLoops: buffers.get('creasedLoops', CREASED_LOOP * Math.ceil(room.vertices / 2), USAGE.storage),
   };
 }
 
@@ -89,7 +109,7 @@ export function encodeMesh(
   bricks: number,
 ) {
   const groups = groupsOf(roomsOf(bricks));
-  const start = (name: StageName) => bind(device, pass, stages, name, bound);
+  const start = (name: StageName | CreaseStageName) => bind(device, pass, stages, name, bound);
   start('classify');
   pass.dispatchWorkgroups(...groups);
   start('number');
@@ -101,20 +121,43 @@ export function encodeMesh(
   pass.dispatchWorkgroups(...groups);
   bind(device, pass, stages, 'vertices', { ...bound, span: bound.edgeSpan! });
   pass.dispatchWorkgroupsIndirect(bound.dispatches!.buffer, 0);
+  if (stages.creases) encodeCreases(device, pass, stages, bound);
   start('emit');
   pass.dispatchWorkgroupsIndirect(bound.dispatches!.buffer, 12);
+  if (stages.creases) {
+    start('turned');
+    pass.dispatchWorkgroupsIndirect(bound.dispatches!.buffer, 36);
+  }
   bind(device, pass, stages, 'vertices', { ...bound, span: bound.middleSpan! });
   pass.dispatchWorkgroupsIndirect(bound.dispatches!.buffer, 24);
 }
 
+/** Points on creases: which loops are around some is counted, scanned and listed. */
+function encodeCreases(device: GPUDevice, pass: GPUComputePassEncoder, stages: Stages, bound: Bound) {
+  const { ringCounts, ringTotals, dispatches } = bound;
+  const start = (name: CreaseStageName) => bind(device, pass, stages, name, bound);
+  start('countRings');
+  pass.dispatchWorkgroups(...groupsOf(Math.ceil(ringCounts!.size / ITEM / 64)));
+  stages.scan.encode(pass, ringCounts!, ringTotals!);
+  start('planCreases');
+  pass.dispatchWorkgroups(1);
+  start('listRings');
+  pass.dispatchWorkgroupsIndirect(dispatches!.buffer, 12);
+  start('creases');
+  pass.dispatchWorkgroupsIndirect(dispatches!.buffer, 36);
+}
+
+const ALL_STAGES = { ...STAGES, ...CREASE_STAGES };
+const EVALUATING: readonly string[] = ['nodes', 'vertices', 'creases'];
+
 function bind(
   device: GPUDevice,
   pass: GPUComputePassEncoder,
-  { pipelines }: Stages,
-  name: StageName,
+  { pipelines, creases }: Stages,
+  name: StageName | CreaseStageName,
   bound: Bound,
 ) {
-  const pipeline = pipelines[name];
+  const pipeline = { ...pipelines, ...creases }[name]!;
   const group = (index: number, bindings: Readonly<Record<string, number>>) => {
     const entries = Object.entries(bindings).map(([buffer, binding]) => ({
       binding,
@@ -124,8 +167,8 @@ function bind(
     pass.setBindGroup(index, device.createBindGroup({ label: name, layout, entries }));
   };
   pass.setPipeline(pipeline);
-  group(0, STAGES[name]);
-  if (name === 'nodes' || name === 'vertices') group(1, { records: 0, lists: 1 });
+  group(0, ALL_STAGES[name]);
+  if (EVALUATING.includes(name)) group(1, { records: 0, lists: 1 });
 }
 
 /** In rows that no device refuses. */

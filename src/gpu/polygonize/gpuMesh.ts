@@ -1,6 +1,7 @@
 /** A mesh that lives on the GPU: how large it is only the device knows until it is asked. */
 import type { FieldMesh } from '../../field/brickMesh.ts';
 import { type Buffers, type readBack, type Slice, USAGE } from './buffers.ts';
+import { creasedMesh } from './creasedMesh.ts';
 
 /** How much there is room for. */
 export interface Capacity {
@@ -11,7 +12,7 @@ export interface Capacity {
 export interface GpuMesh {
   /** vec4f a vertex: x, y, z in mm, 1 */
   readonly positions: GPUBuffer;
-  /** vec4f a vertex: unit, outward, 0 */
+  /** vec4f a vertex: unit, outward, and a number of the stages' own */
   readonly normals: GPUBuffer;
   /** vec4f a vertex: red, green, blue (0–1, linear), 1 */
   readonly colours: GPUBuffer;
@@ -25,7 +26,7 @@ export interface GpuMesh {
   overflowed(): Promise<boolean>;
   /** How large it is, or would have to be. */
   needed(): Promise<Capacity>;
-  /** All of it. Rejects for one that overflowed. */
+  /** All of it, without what was counted for points on creases that are none. Rejects for one that overflowed. */
   read(): Promise<FieldMesh>;
   /** Gives the buffers to meshes that come later. */
   destroy(): void;
@@ -65,8 +66,14 @@ export function gpuMesh(
   const found = async () => {
     if (isGone) throw new Error('the mesh was given back');
     const [bytes] = await read([state]);
-    const [edges, , triangles, middles, overflow] = new Uint32Array(bytes!);
-    return { vertices: edges! + middles!, triangles: triangles!, overflowed: overflow !== 0 };
+    const [edges, , triangles, middles, overflow, loops, copies] = new Uint32Array(bytes!);
+    return {
+      vertices: edges! + middles! + copies!,
+      // two more around each point than in its loop
+      triangles: triangles! + 2 * loops!,
+      hasCreases: loops! > 0,
+      overflowed: overflow !== 0,
+    };
   };
   return {
     positions: positions.buffer,
@@ -78,18 +85,16 @@ export function gpuMesh(
     overflowed: async () => (await found()).overflowed,
     needed: found,
     async read() {
-      const { vertices, triangles, overflowed } = await found();
+      const { vertices, triangles, hasCreases, overflowed } = await found();
       if (overflowed) throw new Error('the mesh did not fit into its buffers');
       const wide = [positions, normals, colours].map((slice) => ({ ...slice, size: 16 * vertices }));
       const bytes = await read([...wide, { ...indices, size: 12 * triangles }]);
       const [at, normal, colour] = bytes.slice(0, 3).map((four) => threeOfFour(new Float32Array(four)));
-      return {
-        positions: at!,
-        normals: normal!,
-        colours: colour!,
-        uvs: new Float32Array(2 * vertices),
-        indices: new Uint32Array(bytes[3]!),
-      };
+      const indices32 = new Uint32Array(bytes[3]!);
+      const whole = { positions: at!, normals: normal!, colours: colour!, indices: indices32 };
+      const fans = new Float32Array(bytes[1]!).filter((_, i) => i % 4 === 3);
+      const mesh = hasCreases ? creasedMesh({ ...whole, fans }) : whole;
+      return { ...mesh, uvs: new Float32Array((2 * mesh.positions.length) / 3) };
     },
     destroy() {
       if (!isGone) giveBack();

@@ -3,7 +3,7 @@
  * entries begin, its error), then the entries: of every sum, in the order in which the program comes to them, which terms are
  * asked and what stands for the others; a run of dropped sums is one row. Read by shaders/polygonize/nearList.wgsl.
  */
-import type { Brick, Bricks } from '../../field/bricks.ts';
+import { type Brick, type Bricks, hasCreases } from '../../field/bricks.ts';
 import type { Near, NearLeaf } from '../../field/near.ts';
 import type { FieldNode } from '../../field/node.ts';
 import type { PackedBricks } from '../../field/packedBricks.ts';
@@ -20,7 +20,7 @@ const WORDS = 4;
 
 /** What is read of a brick. */
 export interface ListedBrick extends Pick<Brick, 'i' | 'j' | 'k'> {
-  readonly near: Pick<Near, 'error' | 'eachLeaf'>;
+  readonly near: Pick<Near, 'error' | 'eachLeaf' | 'branches'>;
 }
 
 /** What is read of bricks. */
@@ -31,7 +31,13 @@ export interface ListedBricks extends Pick<Bricks, 'lattice' | 'grid'> {
 /** Bricks of that very tree. */
 export function packBricks(node: FieldNode, { lattice, active, grid }: ListedBricks): PackedBricks {
   const lists = packLists(programOf(node), active);
-  return { lattice, count: active.length, grid: Int32Array.from(grid), lists };
+  return {
+    lattice,
+    count: active.length,
+    hasCreases: hasCreases(active),
+    grid: Int32Array.from(grid),
+    lists,
+  };
 }
 
 /** RangeError for a brick whose near does not tell of every sum. */

@@ -1,13 +1,13 @@
 /**
- * Bricks of a field tree as a mesh, all of it on the GPU and nothing read back. Twin of field/brickMesh.ts, creases
- * excepted: the same loops around the same cells. Where a mesh does not fit it stays empty and says so; what it needs is known then, and the next has it.
+ * Bricks of a field tree as a mesh, all of it on the GPU and nothing read back. Twin of field/brickMesh.ts: the same
+ * loops around the same cells, the same points on creases. Where a mesh does not fit it stays empty and says so; what it needs is known then, and the next has it.
  */
 import type { FieldNode } from '../../field/node.ts';
 import type { PackedBricks } from '../../field/packedBricks.ts';
 import type { Modules } from '../link.ts';
 import { type Program, programOf } from '../program.ts';
 import { Buffers, MOST_BYTES, readBack } from './buffers.ts';
-import { encodeField, encodeMesh, meshBuffers, uploadField } from './encode.ts';
+import { CREASED_LOOP, creaseBuffers, encodeField, encodeMesh, meshBuffers, uploadField } from './encode.ts';
 import { type Capacity, type GpuMesh, gpuMesh, outputs } from './gpuMesh.ts';
 import { type ListedBricks, packBricks } from './lists.ts';
 import { type Stages, stagesOn } from './stages.ts';
@@ -26,9 +26,13 @@ export interface GpuPolygonizer {
 
 /** A brick that the surface crosses has some 40 vertices; two of three active ones are crossed. */
 const VERTICES_A_BRICK = 40;
+/** of those of smooth ones */
+const CREASED = 1.25;
 const FEWEST = 64;
 /** what every device binds of cells and indices */
 const MOST: Capacity = { vertices: 0.75 * (MOST_BYTES / 16), triangles: Math.floor(MOST_BYTES / 12) };
+/** and of loops around creases, each with two vertices at least */
+const MOST_CREASED = 2 * (MOST_BYTES / CREASED_LOOP);
 
 /** `capacity`: in place of what is guessed of the first mesh. `changed`: WGSL modules that stand in for others. */
 export function gpuPolygonizer(
@@ -65,7 +69,7 @@ class Polygonizer implements GpuPolygonizer {
   async polygonize(node: FieldNode, bricks: ListedBricks | PackedBricks): Promise<GpuMesh> {
     const program = programOf(node);
     const packed = 'lists' in bricks ? bricks : packBricks(node, bricks);
-    const stages = await this.#told(this.#stages(program.ingredients));
+    const stages = await this.#told(this.#stages(program.ingredients, packed.hasCreases));
     if (this.#isGone) throw new Error('the polygonizer was given back');
     const own = this.#free.pop() ?? new Buffers(this.#device);
     try {
@@ -97,7 +101,8 @@ class Polygonizer implements GpuPolygonizer {
     const room = this.#roomFor(bricks);
     const written = outputs(own, room);
     const field = uploadField(this.#work, program, bricks, room);
-    const bound = { ...field, ...meshBuffers(this.#work, bricks.count, room), ...written };
+    const creases = stages.creases ? creaseBuffers(this.#work, room) : {};
+    const bound = { ...field, ...meshBuffers(this.#work, bricks.count, room), ...creases, ...written };
     const encoder = this.#device.createCommandEncoder({ label: 'polygonize' });
     const pass = encoder.beginComputePass({ label: 'polygonize' });
     encodeField(this.#device, pass, stages, field, bricks.count);
@@ -108,12 +113,13 @@ class Polygonizer implements GpuPolygonizer {
     return gpuMesh(written, read, () => this.#takeBack(own));
   }
 
-  #roomFor({ count }: PackedBricks): Capacity {
+  #roomFor({ count, hasCreases }: PackedBricks): Capacity {
     if (this.#first && !this.#needed) return this.#first;
-    const guess = Math.max(FEWEST, VERTICES_A_BRICK * count);
+    const guess = Math.max(FEWEST, (hasCreases ? CREASED : 1) * VERTICES_A_BRICK * count);
     const { vertices, triangles } = this.#needed ?? { vertices: 0, triangles: 0 };
+    const most = hasCreases ? MOST_CREASED : MOST.vertices;
     return {
-      vertices: Math.max(Math.min(guess, MOST.vertices), vertices),
+      vertices: Math.max(Math.min(guess, most), vertices),
       triangles: Math.max(Math.min(2 * guess, MOST.triangles), triangles),
     };
   }

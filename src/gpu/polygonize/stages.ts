@@ -55,15 +55,46 @@ export const STAGES = {
 } as const;
 
 export type StageName = keyof typeof STAGES;
-const EVALUATING = ['nodes', 'vertices'] as const;
 const PLAIN = ['share', 'classify', 'number', 'plan', 'compact', 'emit'] as const;
 
+/**
+ * Of fields with creases, after the vertices on edges: points on creases, and the triangles around them (files and entry points, and
+ * bindings as above).
+ */
+export const CREASE_STAGES = {
+  countRings: {
+    ...{ grid: 0, crossedCells: 1, crossings: 2, lists: 3, normals: 4, ringCounts: 5 },
+    ...{ lattice: 8, loops: 9, state: 10 },
+  },
+  planCreases: { ringTotals: 0, state: 1, dispatches: 2, draw: 3, lattice: 8 },
+  listRings: {
+    ...{ grid: 0, crossedCells: 1, crossings: 2, lists: 3, normals: 4, ringCounts: 5, creasedLoops: 6 },
+    ...{ lattice: 8, loops: 9, state: 10 },
+  },
+  creases: { creasedLoops: 1, positions: 2, normals: 3, colours: 4, lattice: 8, state: 10 },
+  turned: {
+    ...{ grid: 0, creasedLoops: 1, cells: 2, counts: 3, ringCounts: 4, normals: 5, lists: 6, indices: 7 },
+    ...{ lattice: 8, loops: 9, state: 10 },
+  },
+} as const;
+
+export type CreaseStageName = keyof typeof CREASE_STAGES;
+const CREASE_NAMES = Object.keys(CREASE_STAGES) as CreaseStageName[];
+const RINGS: Readonly<Partial<Record<CreaseStageName, string>>> = {
+  countRings: 'count_rings',
+  listRings: 'list_rings',
+};
+
+type Pipelines<Name extends string> = Readonly<Record<Name, GPUComputePipeline>>;
+
 export interface Stages {
-  readonly pipelines: Readonly<Record<StageName, GPUComputePipeline>>;
+  readonly pipelines: Pipelines<StageName>;
+  /** null for fields without creases */
+  readonly creases: Pipelines<CreaseStageName> | null;
   readonly scan: Scan;
 }
 
-type Load = (ingredients: Ingredients) => Promise<Stages>;
+type Load = (ingredients: Ingredients, hasCreases?: boolean) => Promise<Stages>;
 
 const made = new WeakMap<GPUDevice, Load>();
 
@@ -77,15 +108,22 @@ export function stagesOn(device: GPUDevice, changed: Modules | null = null): Loa
 
 function loader(device: GPUDevice, changed: Modules): Load {
   const known = new Map<string, Promise<Stages>>();
+  // with creases or without, the same
+  const nodes = new Map<string, Pipeline<'nodes'>>();
   let plain: Promise<Plain> | null = null;
-  return (ingredients) => {
-    const key = KINDS.map((kind) => namesOf(ingredients, kind).join(' ')).join(', ');
+  return (ingredients, hasCreases = false) => {
+    const names = KINDS.map((kind) => namesOf(ingredients, kind).join(' ')).join(', ');
+    const key = `${names}, ${hasCreases ? 'creases' : 'smooth'}`;
     plain ??= loadPlain(device);
-    const stages = known.get(key) ?? loadStages(device, plain, { ...modulesOf(ingredients), ...changed });
+    const modules = { ...modulesOf(ingredients), ...changed };
+    const ofNodes = nodes.get(names) ?? load(device, modules, 'nodes');
+    nodes.set(names, ofNodes);
+    const stages = known.get(key) ?? loadStages(device, plain, ofNodes, modules, hasCreases);
     known.set(key, stages);
     // what failed once is tried again
     stages.catch(() => {
       known.delete(key);
+      nodes.delete(names);
       plain = null;
     });
     return stages;
@@ -94,8 +132,15 @@ function loader(device: GPUDevice, changed: Modules): Load {
 
 /** All that the stages import. */
 export function modulesOf(ingredients: Ingredients): Modules {
-  return { ...fieldModules(ingredients), ...TABLES, list: '#import polygonize/nearList\n' };
+  const near = { near: '#import polygonize/near\n', list: '#import polygonize/nearList\n' };
+  return { ...fieldModules(ingredients), ...TABLES, ...near };
 }
+
+/** In place of some of these: fields whose values know their branch. */
+export const CREASED: Modules = {
+  near: '#import polygonize/nearBranches\n',
+  shape: '#import field/sides\n',
+};
 
 const TABLES: Modules = {
   'record/lattice': LATTICE.wgsl,
@@ -103,6 +148,7 @@ const TABLES: Modules = {
   'table/loops': loopModule(),
 };
 
+type Pipeline<Name extends StageName> = Promise<readonly [Name, GPUComputePipeline]>;
 type Plain = readonly [Scan, readonly (readonly [StageName, GPUComputePipeline])[]];
 
 async function loadPlain(device: GPUDevice): Promise<Plain> {
@@ -110,20 +156,40 @@ async function loadPlain(device: GPUDevice): Promise<Plain> {
   return Promise.all([loadScan(device), Promise.all(PLAIN.map((name) => load(device, modules, name)))]);
 }
 
-async function loadStages(device: GPUDevice, plain: Promise<Plain>, modules: Modules): Promise<Stages> {
-  const evaluating = Promise.all(EVALUATING.map((name) => load(device, modules, name)));
-  const [[scan, others], own] = await Promise.all([plain, evaluating]);
-  const pipelines = Object.fromEntries([...others, ...own]) as Record<StageName, GPUComputePipeline>;
-  return { pipelines, scan };
+async function loadStages(
+  device: GPUDevice,
+  plain: Promise<Plain>,
+  nodes: Pipeline<'nodes'>,
+  modules: Modules,
+  hasCreases: boolean,
+): Promise<Stages> {
+  const creased = hasCreases ? { ...modules, ...CREASED } : modules;
+  const [[scan, others], ofNodes, vertices, creases] = await Promise.all([
+    plain,
+    nodes,
+    load(device, creased, 'vertices'),
+    hasCreases ? Promise.all(CREASE_NAMES.map((name) => load(device, creased, name))) : null,
+  ]);
+  const pipelines = Object.fromEntries([...others, ofNodes, vertices]) as Pipelines<StageName>;
+  return {
+    pipelines,
+    creases: creases && (Object.fromEntries(creases) as Pipelines<CreaseStageName>),
+    scan,
+  };
 }
 
-async function load<Name extends StageName>(device: GPUDevice, modules: Modules, name: Name) {
-  const label = `polygonize/${name}`;
+async function load<Name extends StageName | CreaseStageName>(
+  device: GPUDevice,
+  modules: Modules,
+  name: Name,
+) {
+  const entryPoint = RINGS[name as CreaseStageName];
+  const label = `polygonize/${entryPoint ? 'rings' : name}`;
   const module = await compile(device, label, link(modules, label));
   const pipeline = await device.createComputePipelineAsync({
     label,
     layout: 'auto',
-    compute: { module, entryPoint: name },
+    compute: { module, entryPoint: entryPoint ?? name },
   });
   return [name, pipeline] as const;
 }

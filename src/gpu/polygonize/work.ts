@@ -1,7 +1,7 @@
 /**
- * What a mesh on the GPU asks of skels, counted on the CPU from its bricks, because counting on the device would cost more than it tells. Not
- * counted: nodes whose sign the list leaves in doubt, which are asked of all skels; and shapes that others outdo in a brick, which the
- * device asks all the same. Both are few.
+ * What a mesh on the GPU asks of skels, counted on the CPU from its bricks, because counting on the device would cost more than it tells. Points
+ * on creases count as vertices. Not counted: nodes whose sign the list leaves in doubt, which are asked of all skels; and shapes that
+ * others outdo in a brick, which the device asks all the same. Both are few.
  */
 import { BEFORE, inCommon } from '../../field/brickNodes.ts';
 import { around, type Bricks } from '../../field/bricks.ts';

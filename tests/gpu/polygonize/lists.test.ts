@@ -50,7 +50,7 @@ const brickOf = (leaves: readonly NearLeaf[]): ListedBrick => ({
   i: 1,
   j: 2,
   k: 3,
-  near: { error: 0.25, eachLeaf: (visit) => leaves.forEach(visit) },
+  near: { error: 0.25, branches: 1, eachLeaf: (visit) => leaves.forEach(visit) },
 });
 
 /** In float64, by other means: bodies of the terms that are asked, and the polynomial written out. */

@@ -88,7 +88,11 @@ export function allBricks(
     step: 1,
     counts: [4 * bx + 1, 4 * by + 1, 4 * bz + 1],
   };
-  const near: ListedBricks['active'][number]['near'] = { error: 0, eachLeaf: (visit) => visit(ALL) };
+  const near: ListedBricks['active'][number]['near'] = {
+    error: 0,
+    branches: 1,
+    eachLeaf: (visit) => visit(ALL),
+  };
   const grid = new Int32Array(bx * by * bz).fill(OUTSIDE);
   const active: ListedBricks['active'][number][] = [];
   for (let number = 0; number < grid.length; number++) {

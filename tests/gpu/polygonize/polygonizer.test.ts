@@ -1,10 +1,10 @@
-/** Meshes from the GPU are those of the CPU: the same loops around the same cells, whatever the values. */
+/** Meshes from the GPU are those of the CPU: the same loops around the same cells, whatever the values. Creases: creases.test.ts. */
 import { afterAll, expect, it } from 'vitest';
 import { bindField } from '../../../src/field/bind.ts';
 import type { FieldMesh } from '../../../src/field/brickMesh.ts';
 import { type Lattice, latticeAround, latticeOver } from '../../../src/field/lattice.ts';
 import type { FieldNode, Term } from '../../../src/field/node.ts';
-import type { ListedBricks } from '../../../src/gpu/polygonize/lists.ts';
+import { type ListedBricks, packBricks } from '../../../src/gpu/polygonize/lists.ts';
 import { gpuPolygonizer } from '../../../src/gpu/polygonize/polygonizer.ts';
 import type { Vec3 } from '../../../src/math/vec.ts';
 import { topology } from '../../../src/mesh/check.ts';
@@ -21,7 +21,7 @@ afterAll(closeDawn);
 const onGpu = (node: FieldNode, bricks: ListedBricks, seed: number | null = null): Promise<FieldMesh> =>
   withDevice(async (device) => {
     const polygonizer = gpuPolygonizer(device, null, seed === null ? null : noiseModules(seed));
-    const gpu = await polygonizer.whole(node, bricks);
+    const gpu = await polygonizer.whole(node, { ...packBricks(node, bricks), hasCreases: false });
     const mesh = await gpu.read();
     polygonizer.destroy();
     return mesh;

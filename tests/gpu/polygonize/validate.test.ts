@@ -21,8 +21,10 @@ describe('the stages of the polygonizer on the null backend', () => {
   });
 
   it.each([
-    ['everything', EVERYTHING],
-    ['a shape', { ...noIngredients(), shapes: new Set(['sphere'] as const) }],
+    ['everything', EVERYTHING, false],
+    ['everything, with creases', EVERYTHING, true],
+    ['a shape', { ...noIngredients(), shapes: new Set(['sphere'] as const) }, false],
+    ['a shape with creases', { ...noIngredients(), shapes: new Set(['cylinder'] as const) }, true],
     [
       'one kernel',
       {
@@ -30,10 +32,11 @@ describe('the stages of the polygonizer on the null backend', () => {
         kernels: new Set(['cauchy'] as const),
         primitives: new Set(['segment'] as const),
       },
+      true,
     ],
-  ])('are valid for %s', async (_, ingredients) => {
+  ])('are valid for %s', async (_, ingredients, hasCreases) => {
     device!.pushErrorScope('validation');
-    await stagesOn(device!)(ingredients);
+    await stagesOn(device!)(ingredients, hasCreases);
     expect((await device!.popErrorScope())?.message ?? null).toBeNull();
   });
 });
