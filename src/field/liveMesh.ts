@@ -1,26 +1,31 @@
 /**
  * The mesh of a body that is being edited: of what it was made of before everything is kept that a change does not reach, cubes of the
- * octree (liveBricks.ts), values, vertices. Trees that are built otherwise than before, and bodies that leave their lattice, are
- * made anew.
+ * octree (liveBricks.ts), values, vertices. The lattice grows with the body, so that its cells stay what they are. Made anew are trees that are
+ * built otherwise than before (treeChanges.ts), bodies of which much has changed and those that have grown by half.
  */
 import type { Box } from '../skeleton/skeleton.ts';
 import { bindField } from './bind.ts';
-import { grown } from './boxes.ts';
+import { unite } from './boxes.ts';
 import { BrickMesh, type FieldMesh } from './brickMesh.ts';
 import type { Brick, Bricks } from './bricks.ts';
 import { BrickValues } from './brickValues.ts';
-import { fitting, isWithin } from './fitBox.ts';
-import { type Lattice, latticeAround, latticeOver } from './lattice.ts';
+import { fitting, grownWhere } from './fitBox.ts';
+import { type Grown, type Lattice, latticeGrown } from './lattice.ts';
 import { LiveBricks } from './liveBricks.ts';
 import { type Near, Tally } from './near.ts';
 import type { FieldNode } from './node.ts';
-import { PAGE } from './polygonize.ts';
+import { type Numbered, numbered, numbersIn, Supply } from './numbered.ts';
+import { fittedLattice, ROUNDS } from './polygonize.ts';
+import { shared } from './shared.ts';
+import type { TreeField } from './treeField.ts';
 import { type TreeChanges, treeChanges } from './treeChanges.ts';
 
 export interface LiveMade {
   readonly mesh: FieldMesh;
   /** by the lattice: what has no end */
   readonly isCut: boolean;
+  /** something was kept: to the bit it is what is made at once only where this is false */
+  readonly isEdit: boolean;
   /** work of this edit (skeleton/work.ts) */
   readonly evaluations: number;
   readonly bricks: Bricks;
@@ -29,7 +34,9 @@ export interface LiveMade {
 }
 
 interface State {
-  readonly node: FieldNode;
+  readonly tree: Numbered;
+  /** the numbers that come next */
+  readonly next: Supply;
   readonly live: LiveBricks;
   readonly lattice: Lattice;
   readonly places: ReadonlyMap<number, number>;
@@ -37,12 +44,21 @@ interface State {
   readonly mesh: BrickMesh;
   /** skels in all */
   readonly asked: number;
+  readonly hasEnd: boolean;
 }
 
-/** of the longest side, on all sides: room for what a drag adds */
-const ROOM = 0.1;
+/** What is asked for, of objects of what there was. */
+interface Wish {
+  readonly asked: FieldNode;
+  readonly node: FieldNode;
+  /** null: it is to be made anew */
+  readonly changes: TreeChanges | null;
+}
+
 /** of all skels: with more of them changed most of the body is made again anyway */
 const EDIT = 0.3;
+/** as many cells along the longest side as were asked for first: bodies that grow are made anew in larger cells then */
+const GROWN = 1.5;
 /** bricks between two looks at the clock */
 const BATCH = 16;
 
@@ -50,6 +66,8 @@ export class LiveMesh {
   readonly #resolution: number;
   readonly #tally = new Tally();
   #state: State | null = null;
+  /** that was asked about last */
+  #wish: Wish | null = null;
 
   /** Cells along the longest side of the body as it is first. */
   constructor(resolution: number) {
@@ -63,63 +81,86 @@ export class LiveMesh {
 
   /** Whether `node` differs from the body before in some of its leaves or terms only, so that an edit is worth it. */
   isEdit(node: FieldNode): boolean {
-    return this.#changesTo(node) !== null;
+    return this.#wishFor(node).changes !== null;
   }
 
-  #changesTo(node: FieldNode): TreeChanges | null {
-    const found = this.#state && treeChanges(this.#state.node, node);
-    return found && found.touched <= EDIT * this.#state!.asked ? found : null;
-  }
-
-  /** Given up half-way it begins anew the next time. FieldError for what has no field. */
+  /** Given up half-way it begins anew the next time. FieldError for what has no field: what there is stays. */
   *making(node: FieldNode): Generator<number, LiveMade> {
-    const field = bindField(node);
-    this.#tally.work = 0;
+    const { node: own, changes } = this.#wishFor(node);
+    const field = bindField(own);
     const before = this.#state;
-    const changes = this.#changesTo(node);
+    this.#wish = null;
     this.#state = null;
-    const isStaying = before !== null && changes !== null && !this.#leaves(before, changes, node);
-    const whole = this.#whole(field);
-    if (isStaying) {
-      yield* before.live.edit(whole, changes.leaves);
-      const edit = yield* this.#meshing(node, whole, before.live, before.lattice, before);
-      if (!edit.isCut || !field.box) return edit;
-    }
-    const box = field.box && ((yield* fitting(whole, field.box)) ?? field.box);
-    // a body that has left its lattice is being dragged
-    const lattice = roomyLattice(this.#resolution, box, before && changes ? ROOM : 0);
-    const live = yield* LiveBricks.making(whole, lattice);
-    return yield* this.#meshing(node, whole, live, lattice, null);
+    this.#tally.work = 0;
+    const edit = before && changes && (yield* this.#edited(before, changes, field));
+    return edit ?? (yield* this.#anew(own, field));
   }
 
-  /** Whether the body leaves its lattice by what came. What has no end leaves every lattice. */
-  #leaves({ lattice, node: before }: State, { reach }: TreeChanges, after: FieldNode): boolean {
-    const { origin, step, counts } = lattice;
-    const end = (axis: 0 | 1 | 2) => origin[axis] + (counts[axis] - 1) * step;
-    const limits: Box = { min: origin, max: [end(0), end(1), end(2)] };
-    if (reach?.min.every((low, axis) => low > limits.min[axis]! && reach.max[axis]! < limits.max[axis]!)) {
-      return false;
-    }
-    return changed(before, after).some((part) => {
+  #wishFor(node: FieldNode): Wish {
+    if (this.#wish?.asked === node) return this.#wish;
+    const before = this.#state;
+    const own = before ? shared(before.tree.node, node) : node;
+    const found = before && treeChanges(before.tree, own, before.next);
+    const changes = found && found.touched <= EDIT * before.asked ? found : null;
+    this.#wish = { asked: node, node: own, changes };
+    return this.#wish;
+  }
+
+  /** Null where it is to be made anew. */
+  *#edited(before: State, changes: TreeChanges, field: TreeField): Generator<number, LiveMade | null> {
+    const hasEnd = field.box !== null;
+    if (hasEnd !== before.hasEnd) return null;
+    const grown = hasEnd ? yield* this.#grown(before, changes) : null;
+    const lattice = grown?.lattice ?? before.lattice;
+    if (Math.max(...lattice.counts) > GROWN * this.#resolution && grown) return null;
+    const whole = this.#whole(field, changes.tree);
+    yield* before.live.edit(whole, changes.nodes, grown);
+    const state = { ...before, tree: changes.tree, lattice, asked: whole.asked };
+    const made = yield* this.#meshing(state, whole, before);
+    return hasEnd && made.isCut ? null : made;
+  }
+
+  /** The lattice, if the body leaves it by what came. */
+  *#grown({ lattice, tree }: State, changes: TreeChanges): Generator<number, Grown | null> {
+    if (changes.reach) return latticeGrown(lattice, changes.reach);
+    let box: Box | null = null;
+    for (const part of changed(tree.node, changes.tree.node)) {
       const field = bindField(part);
-      return field.box !== null && !isWithin(field.near(this.#tally), field.box, limits, step);
-    });
+      const own = field.box && (yield* fitting(field.near(this.#tally), field.box));
+      if (own) box = unite(box ?? own, own);
+    }
+    return box && latticeGrown(lattice, box);
   }
 
-  /** Leaves and branches are numbered again. */
-  #whole(field: ReturnType<typeof bindField>): Near {
+  *#anew(node: FieldNode, field: TreeField): Generator<number, LiveMade> {
+    const next = new Supply();
+    const tree = numbered(node, next);
+    const whole = this.#whole(field, tree);
+    let within = field.box;
+    for (let round = 0; ; round++) {
+      const { lattice } = yield* fittedLattice(whole, within, this.#resolution);
+      const live = yield* LiveBricks.making(whole, lattice);
+      const state = { tree, next, live, lattice, asked: whole.asked, hasEnd: field.box !== null };
+      const made = yield* this.#meshing(state, whole, null);
+      const larger = within && round < ROUNDS ? grownWhere(within, this.#state!.values.leaves) : null;
+      if (!larger) return made;
+      within = larger;
+    }
+  }
+
+  #whole(field: TreeField, tree: Numbered): Near {
     this.#tally.leaves = 0;
-    this.#tally.branches = 0;
+    this.#tally.sets = 0;
+    this.#tally.numbers = numbersIn(tree);
     return field.near(this.#tally);
   }
 
   *#meshing(
-    node: FieldNode,
+    state: Omit<State, 'places' | 'values' | 'mesh'>,
     whole: Near,
-    live: LiveBricks,
-    lattice: Lattice,
     before: State | null,
   ): Generator<number, LiveMade> {
+    const { live } = state;
     const bricks = live.bricks();
     const placeOf = (place: number) => keptPlace(live, bricks, before, place);
     const kept = before && { values: before.values, placeOf };
@@ -131,10 +172,11 @@ export class LiveMesh {
     }
     const places = new Map(bricks.active.map((brick, place) => [live.number(brick), place]));
     values.forget();
-    this.#state = { node, live, lattice, places, values, mesh, asked: whole.asked };
+    this.#state = { ...state, places, values, mesh };
     return {
       mesh: mesh.mesh(),
       isCut: values.leaves.includes(true),
+      isEdit: before !== null,
       evaluations: this.#tally.work,
       bricks,
       renewed: bricks.active.filter((brick) => live.renewed.has(live.number(brick))).length,
@@ -151,14 +193,7 @@ function keptPlace(live: LiveBricks, { active }: Bricks, before: State | null, p
 /** Of a union the parts that changed: the others are where they were. */
 function changed(before: FieldNode, after: FieldNode): readonly FieldNode[] {
   if (before.type !== 'union' || after.type !== 'union') return [after];
-  return after.parts.filter((part, i) => JSON.stringify(part) !== JSON.stringify(before.parts[i]));
-}
-
-function roomyLattice(resolution: number, box: Box | null, share: number): Lattice {
-  if (!box) return latticeOver(PAGE, resolution);
-  const { min, max } = box;
-  const room = share * Math.max(max[0] - min[0], max[1] - min[1], max[2] - min[2]);
-  return latticeAround(grown({ min, max }, room), Math.round(resolution * (1 + 2 * share)));
+  return after.parts.filter((part) => !before.parts.includes(part));
 }
 
 function ended<T>(steps: Generator<number, T>): T {

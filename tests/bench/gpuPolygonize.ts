@@ -3,7 +3,8 @@
  * all nodes of the lattice on the same adapter; then all stages of the mesh. Culling and lists are the CPU's and timed apart.
  */
 import { bindField } from '../../src/field/bind.ts';
-import { type Lattice, nodeCount } from '../../src/field/lattice.ts';
+import type { Lattice } from '../../src/field/lattice.ts';
+import { nodeCount } from '../field/nodeCount.ts';
 import type { FieldNode } from '../../src/field/node.ts';
 import type { PackedBricks } from '../../src/field/packedBricks.ts';
 import { type Located, locating } from '../../src/field/polygonize.ts';

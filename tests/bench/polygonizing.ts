@@ -5,7 +5,8 @@
 import { setFlagsFromString } from 'node:v8';
 import { runInNewContext } from 'node:vm';
 import { bindField } from '../../src/field/bind.ts';
-import { type Lattice, nodeCount } from '../../src/field/lattice.ts';
+import type { Lattice } from '../../src/field/lattice.ts';
+import { nodeCount } from '../field/nodeCount.ts';
 import type { FieldNode } from '../../src/field/node.ts';
 import { type Polygonized, polygonize, polygonizing } from '../../src/field/polygonize.ts';
 import type { TreeField } from '../../src/field/treeField.ts';

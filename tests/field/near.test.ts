@@ -2,7 +2,7 @@
 import { describe, expect, test } from 'vitest';
 import { bindField } from '../../src/field/bind.ts';
 import { fitting } from '../../src/field/fitBox.ts';
-import { nodeCount } from '../../src/field/lattice.ts';
+import { nodeCount } from './nodeCount.ts';
 import { type NearLeaf, Tally } from '../../src/field/near.ts';
 import type { FieldNode } from '../../src/field/node.ts';
 import { polygonize } from '../../src/field/polygonize.ts';
