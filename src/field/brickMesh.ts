@@ -196,7 +196,8 @@ export class BrickMesh {
     if (known !== undefined) return known;
     const ends = [this.#own[from]!, this.#own[from + AXES[axis]!]!] as const;
     const before = this.#isKept ? this.#before : null;
-    const taken = before && this.#store.take(before.#store, axis + 3 * this.#numberIn(before, from), key, ends);
+    const taken =
+      before && this.#store.take(before.#store, axis + 3 * this.#numberIn(before, from), key, ends);
     return taken ?? this.#store.addOnEdge(key, ends, this.#placed(from, axis, ends));
   }
 

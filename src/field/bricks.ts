@@ -62,7 +62,8 @@ export function* culling(whole: Near, lattice: Lattice): Generator<number, Brick
       if (state === INSIDE) fillInside(grid, counts, i, j, k, size);
       else if (state !== OUTSIDE && size === 1) active.push({ i, j, k, near });
       else if (state !== OUTSIDE) {
-        for (const [x, y, z] of eighths(i, j, k, size / 2, counts)) next.push({ i: x, j: y, k: z, outer: near });
+        for (const [x, y, z] of eighths(i, j, k, size / 2, counts))
+          next.push({ i: x, j: y, k: z, outer: near });
       }
       if (n % BATCH === BATCH - 1) yield (n / cubes.length + 1) / (2 * size);
     }
@@ -121,11 +122,10 @@ export function cubeWithin(
 
 /** The first bricks of those parts of a cube, of `half` bricks each, that are not beyond the lattice. */
 export function eighths(i: number, j: number, k: number, half: number, counts: Vec3): readonly Vec3[] {
-  const parts = Array.from({ length: 8 }, (_, corner): Vec3 => [
-    i + (corner & 1) * half,
-    j + ((corner >> 1) & 1) * half,
-    k + (corner >> 2) * half,
-  ]);
+  const parts = Array.from(
+    { length: 8 },
+    (_, corner): Vec3 => [i + (corner & 1) * half, j + ((corner >> 1) & 1) * half, k + (corner >> 2) * half],
+  );
   return parts.filter((part) => part.every((at, axis) => at < counts[axis]! && at + half > 0));
 }
 

@@ -206,6 +206,7 @@ export class LiveBricks {
   #collect(cube: Cube, grid: Int32Array, active: Brick[]): void {
     if (cube.parts) for (const part of cube.parts) this.#collect(part, grid, active);
     else if (cube.state === 0) active.push(this.#placed(cube));
-    else if (cube.state === INSIDE) fillInside(grid, countsOf(this.#lattice), ...this.#within(cube), cube.size);
+    else if (cube.state === INSIDE)
+      fillInside(grid, countsOf(this.#lattice), ...this.#within(cube), cube.size);
   }
 }

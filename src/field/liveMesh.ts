@@ -10,6 +10,7 @@ import { BrickMesh, type FieldMesh } from './brickMesh.ts';
 import type { Brick, Bricks } from './bricks.ts';
 import { BrickValues } from './brickValues.ts';
 import { fitting, grownWhere } from './fitBox.ts';
+import { growth } from './growth.ts';
 import { type Grown, type Lattice, latticeGrown } from './lattice.ts';
 import { LiveBricks } from './liveBricks.ts';
 import { type Near, Tally } from './near.ts';
@@ -17,8 +18,8 @@ import type { FieldNode } from './node.ts';
 import { type Numbered, numbered, numbersIn, Supply } from './numbered.ts';
 import { fittedLattice, ROUNDS } from './polygonize.ts';
 import { shared } from './shared.ts';
-import type { TreeField } from './treeField.ts';
 import { type TreeChanges, treeChanges } from './treeChanges.ts';
+import type { TreeField } from './treeField.ts';
 
 export interface LiveMade {
   readonly mesh: FieldMesh;
@@ -124,7 +125,7 @@ export class LiveMesh {
   *#grown({ lattice, tree }: State, changes: TreeChanges): Generator<number, Grown | null> {
     if (changes.reach) return latticeGrown(lattice, changes.reach);
     let box: Box | null = null;
-    for (const part of changed(tree.node, changes.tree.node)) {
+    for (const part of growth(tree, changes.tree, changes.nodes)) {
       const field = bindField(part);
       const own = field.box && (yield* fitting(field.near(this.#tally), field.box));
       if (own) box = unite(box ?? own, own);
@@ -188,12 +189,6 @@ export class LiveMesh {
 function keptPlace(live: LiveBricks, { active }: Bricks, before: State | null, place: number): number {
   const number = live.number(active[place] as Brick);
   return before && !live.renewed.has(number) ? (before.places.get(number) ?? -1) : -1;
-}
-
-/** Of a union the parts that changed: the others are where they were. */
-function changed(before: FieldNode, after: FieldNode): readonly FieldNode[] {
-  if (before.type !== 'union' || after.type !== 'union') return [after];
-  return after.parts.filter((part) => !before.parts.includes(part));
 }
 
 function ended<T>(steps: Generator<number, T>): T {

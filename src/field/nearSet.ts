@@ -7,7 +7,15 @@ import type { FieldValue } from '../skeleton/skeleton.ts';
 import { colourOf, combinedValue, evaluateOf, type Kind, Scratch, signsOf } from './fold.ts';
 import { hardUnion } from './hardUnion.ts';
 import { CORNERS } from './hermite.ts';
-import { branchOf, type Changes, type Corners, isFaceOf, type Near, type NearLeaf, type Way } from './near.ts';
+import {
+  branchOf,
+  type Changes,
+  type Corners,
+  isFaceOf,
+  type Near,
+  type NearLeaf,
+  type Way,
+} from './near.ts';
 import { type Colour, commonColour } from './node.ts';
 import type { Operation } from './operation.ts';
 

@@ -90,3 +90,15 @@ export function isWithin({ positions }: Mesh, { origin, step, counts }: Lattice)
     return x >= origin[axis] - slack && x <= origin[axis] + (counts[axis] - 1) * step + slack;
   });
 }
+
+/** Cells by which vertices are off the surface of a field, at most. */
+export function offBy(node: FieldNode, mesh: Mesh, step: number): number {
+  const field = bindField(node);
+  const out = new Float64Array(4);
+  let most = 0;
+  for (let i = 0; i < mesh.positions.length; i += 3) {
+    field.evaluate(mesh.positions[i]!, mesh.positions[i + 1]!, mesh.positions[i + 2]!, out);
+    most = Math.max(most, Math.abs(out[0]!) / Math.hypot(out[1]!, out[2]!, out[3]!) / step);
+  }
+  return most;
+}
