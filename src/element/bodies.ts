@@ -1,16 +1,15 @@
 /**
  * The bodies of a drawing, made beside the page: all of them coarsely first, so that there is something to look at, then finely.
- * What was made last stays until the next is there. A body that nobody wants any more is given up, one that cannot be made is
- * told of, and the drawing keeps it. Where no worker can start the page itself makes them, and waits.
+ * What was made last stays until the next is there; of a body that is edited the worker makes only what the change reaches. A body that nobody
+ * wants any more is given up, one that cannot be made is told of, and the drawing keeps it. Where no worker can start the page itself makes
+ * them, and waits. Files are of bodies that are made at once, whatever is shown.
  */
-import { type Body, bodyMade, CELLS, keepBody, makeBody } from '../document/bodies.ts';
-import type { FromWorker, Made, ToWorker } from '../field/fieldWork.ts';
+import { type Body, bodyMade, CELLS, dropBody, isExact, keepBody, makeBody } from '../document/bodies.ts';
+import { DRAFT, type FromWorker, type Made, type ToWorker } from '../field/fieldWork.ts';
 import type { FieldNode } from '../field/node.ts';
+import { isEditOf } from '../field/treeChanges.ts';
 import { messageOf } from './events.ts';
 import { WORDS } from './words.ts';
-
-/** cells along the longest side, of what is to be seen at once */
-const DRAFT = 28;
 
 /** What of a worker is used. */
 export type BodyWorker = Pick<Worker, 'postMessage' | 'terminate' | 'onmessage' | 'onerror'>;
@@ -18,10 +17,34 @@ export type BodyWorker = Pick<Worker, 'postMessage' | 'terminate' | 'onmessage' 
 const startWorker = (): BodyWorker =>
   new Worker(new URL('../worker/field.ts', import.meta.url), { type: 'module' });
 
+/** A body that is seen; its name stays when its tree is another one. */
+export interface Named {
+  readonly id: string;
+  readonly node: FieldNode;
+}
+
 interface Job {
   readonly id: number;
   readonly node: FieldNode;
   readonly cells: number;
+  /** under which the worker keeps it for edits; null: it does not */
+  readonly name: string | null;
+}
+
+/** Bodies for a file. */
+interface Need {
+  readonly nodes: readonly FieldNode[];
+  /** hears what share is there */
+  readonly progress: (share: number) => void;
+  readonly resolve: () => void;
+}
+
+/** What waits for bodies. */
+export interface Waiting {
+  /** gives them up; the promise rejects with its reason */
+  readonly signal?: AbortSignal;
+  /** hears what share is there, 0–1 */
+  readonly progress?: (share: number) => void;
 }
 
 /** Something was made or refused; or work went on. */
@@ -30,15 +53,24 @@ export type News = 'made' | 'progress';
 export class Bodies {
   /** 0–1 of the step under way */
   share = 0;
+  /** Edits are likely: what they leave of a body is kept. */
+  isEdited = true;
   readonly #changed: (news: News) => void;
   readonly #start: () => BodyWorker;
   readonly #problems = new WeakMap<FieldNode, string>();
-  #wanted: readonly FieldNode[] = [];
+  /** each tree once */
+  #wanted: readonly Named[] = [];
+  /** by name */
+  #seen: ReadonlyMap<string, FieldNode> = new Map();
+  #needs: readonly Need[] = [];
   #job: Job | null = null;
+  /** the job that was given up last */
+  #before: Job | null = null;
   #latest = 0;
   #worker: BodyWorker | null = null;
   /** no worker starts here */
   #alone = false;
+  #isAtWork = false;
   /** ms, when the work began that is still going on */
   #since = 0;
   #waiting: (() => void)[] = [];
@@ -48,10 +80,28 @@ export class Bodies {
     this.#start = start;
   }
 
-  /** Those that are seen: what is missing of them is made, and nothing else any more. */
-  want(nodes: readonly FieldNode[]): void {
-    this.#wanted = [...new Set(nodes)];
+  /** Those that are seen: what is missing of them is made, and nothing else any more but for files. */
+  want(bodies: readonly Named[]): void {
+    for (const { id, node } of bodies) standIn(this.#seen.get(id), node);
+    this.#seen = new Map(bodies.map(({ id, node }) => [id, node]));
+    const names = new Map(bodies.map(({ id, node }) => [node, id]));
+    this.#wanted = [...names].map(([node, id]) => ({ id, node }));
     this.#go();
+  }
+
+  /** Resolves when each of them is made as files have to be, or cannot be made; also when nobody sees them any more. */
+  exactly(nodes: readonly FieldNode[], { signal, progress = () => {} }: Waiting = {}): Promise<void> {
+    return new Promise((resolve, reject) => {
+      signal?.throwIfAborted();
+      const need = { nodes, progress, resolve };
+      this.#needs = [...this.#needs, need];
+      signal?.addEventListener('abort', () => {
+        this.#needs = this.#needs.filter((other) => other !== need);
+        reject(signal.reason as Error);
+        this.#go();
+      });
+      this.#go();
+    });
   }
 
   /** What is being made; null: nothing. */
@@ -66,7 +116,7 @@ export class Bodies {
 
   /** There is something to see of each, or will never be. */
   get drafted(): boolean {
-    return this.#wanted.every((node) => bodyMade(node) !== null || this.problem(node) !== null);
+    return this.#wanted.every(({ node }) => bodyMade(node) !== null || this.problem(node) !== null);
   }
 
   /** Why there is no such body, in words. */
@@ -81,37 +131,61 @@ export class Bodies {
 
   /** Nobody is there to see them. */
   stop(): void {
-    this.#wanted = [];
-    this.#rest();
+    this.want([]);
   }
 
   #go(): void {
+    this.#tell();
     const next = this.#next();
     if (!next) {
       this.#rest();
       return;
     }
-    const { node, cells } = next;
-    if (this.#job?.node === node && this.#job.cells === cells) return;
-    if (!this.#job) this.#since = performance.now();
-    this.#job = { id: ++this.#latest, node, cells };
+    const { node, cells, name } = next;
+    const job = this.#job;
+    if (job?.node === node && job.cells === cells && job.name === name) return;
+    if (!this.#isAtWork) this.#since = performance.now();
+    this.#isAtWork = true;
+    this.#before = job;
+    this.#job = { id: ++this.#latest, node, cells, name };
     this.share = 0;
     this.#send(this.#job);
   }
 
-  /** Drafts first. */
+  /** Drafts first, then what a file waits for. */
   #next(): Omit<Job, 'id'> | null {
-    const open = this.#wanted.filter((node) => this.problem(node) === null);
-    const unseen = open.find((node) => bodyMade(node) === null);
-    if (unseen) return { node: unseen, cells: DRAFT };
-    const coarse = open.find((node) => (bodyMade(node)?.cells ?? 0) < CELLS);
-    return coarse ? { node: coarse, cells: CELLS } : null;
+    const isOpen = (node: FieldNode) => this.problem(node) === null;
+    const unseen = this.#wanted.find(({ node }) => isOpen(node) && bodyMade(node) === null);
+    if (unseen) return { node: unseen.node, cells: DRAFT, name: null };
+    const needed = this.#needs.flatMap(({ nodes }) => nodes).filter((node) => !this.#isDone(node));
+    // what is under way may turn out to be what the file wants
+    if (this.#job?.cells === CELLS && needed.includes(this.#job.node)) return this.#job;
+    if (needed[0]) return { node: needed[0], cells: CELLS, name: null };
+    const coarse = this.#wanted.find(({ node }) => isOpen(node) && (bodyMade(node)?.cells ?? 0) < CELLS);
+    return coarse ? { node: coarse.node, cells: CELLS, name: this.isEdited ? coarse.id : null } : null;
+  }
+
+  #isDone(node: FieldNode): boolean {
+    return isExact(bodyMade(node)) || this.problem(node) !== null;
+  }
+
+  /** Whoever waits for bodies for a file, how many of them are there. */
+  #tell(): void {
+    for (const need of this.#needs) {
+      const { nodes, progress, resolve } = need;
+      const done = nodes.filter((node) => this.#isDone(node)).length;
+      const isUnderWay = this.#job?.cells === CELLS && nodes.includes(this.#job.node);
+      progress(done < nodes.length ? (done + (isUnderWay ? this.share : 0)) / nodes.length : 1);
+      if (done < nodes.length) continue;
+      this.#needs = this.#needs.filter((other) => other !== need);
+      resolve();
+    }
   }
 
   #send(job: Job): void {
-    const { id, node, cells } = job;
+    const { id, node, cells, name } = job;
     if (!this.#alone) this.#worker ??= this.#begin();
-    const make: ToWorker = { type: 'make', id, node, resolution: cells, mesh: 'worker', isEdited: false };
+    const make: ToWorker = { type: 'make', id, node, resolution: cells, mesh: 'worker', name };
     if (this.#worker) this.#worker.postMessage(make);
     // not at once: whoever wants a body is not to be told of it while asking
     else setTimeout(() => this.#makeHere(job));
@@ -148,28 +222,43 @@ export class Bodies {
 
   #hear(said: FromWorker): void {
     const job = this.#job;
+    if (said.type === 'made' && said.id === this.#before?.id) this.#takeLate(this.#before, said);
     if (!job || said.id !== job.id) return;
     if (said.type === 'progress') {
       this.share = said.share;
+      this.#tell();
       this.#changed('progress');
     } else if (said.type === 'refused') this.#refuse(job, said.message);
     else if (said.type === 'made') this.#take(job, said);
   }
 
-  /** A draft on the way to a fine body is worth showing where it is finer than what is there. */
-  #take(job: Job, { draft, mesh, evaluations }: Made): void {
+  /** A draft on the way to a fine body is worth showing where it is finer than what is there, or what is there is of another tree. */
+  #take(job: Job, { draft, mesh, evaluations, isEdit }: Made): void {
     if (!draft) {
-      this.#done(job, { mesh, cells: job.cells, evaluations });
+      this.#done(job, { mesh, cells: job.cells, evaluations, isEdit });
       return;
     }
     const before = bodyMade(job.node);
-    if (before && before.mesh.indices.length >= mesh.indices.length) return;
-    keepBody(job.node, { mesh, cells: before?.cells ?? DRAFT, evaluations });
+    const isOwn = before !== null && before.cells > 0;
+    if (isOwn && before.mesh.indices.length >= mesh.indices.length) return;
+    keepBody(job.node, { mesh, cells: isOwn ? before.cells : DRAFT, evaluations });
+    this.#changed('made');
+  }
+
+  /** An edit that another one followed: while that is under way it is nearer to it than what is shown. */
+  #takeLate({ node, cells, name }: Job, { mesh, evaluations, isEdit }: Made): void {
+    if (!isEdit) return;
+    keepBody(node, { mesh, cells, evaluations, isEdit });
+    const next = this.#wanted.find(({ id }) => id === name);
+    if (!next || bodyMade(next.node)?.cells !== 0) return;
+    keepBody(next.node, { mesh, cells: 0, evaluations });
     this.#changed('made');
   }
 
   #done({ node, cells }: Job, body: Body): void {
     keepBody(node, body);
+    this.#before = null;
+    this.#job = null;
     if (cells === CELLS && body.mesh.indices.length === 0) this.#problems.set(node, WORDS.noSurface);
     this.#go();
     this.#changed('made');
@@ -177,15 +266,26 @@ export class Bodies {
 
   #refuse({ node }: Job, message: string): void {
     this.#problems.set(node, message);
+    this.#job = null;
+    if (bodyMade(node)?.cells === 0) dropBody(node);
     this.#go();
     this.#changed('made');
   }
 
-  /** Nothing to do: a worker that waits is memory for nothing. */
+  /** Nothing to do: a worker that waits is memory for nothing, where no edits are awaited. */
   #rest(): void {
-    this.#worker?.terminate();
-    this.#worker = null;
+    if (!this.isEdited || this.#wanted.length === 0) {
+      this.#worker?.terminate();
+      this.#worker = null;
+    }
     this.#job = null;
+    this.#isAtWork = false;
     for (const resolve of this.#waiting.splice(0)) resolve();
   }
+}
+
+/** The mesh of the tree before an edit is to be seen until there is one of the tree after it. */
+function standIn(before: FieldNode | undefined, after: FieldNode): void {
+  const body = before ? bodyMade(before) : null;
+  if (body && bodyMade(after) === null && isEditOf(before!, after)) keepBody(after, { ...body, cells: 0 });
 }

@@ -16,6 +16,7 @@ export type { FieldNode } from '../field/node.ts';
 export type { Mesh } from '../mesh/mesh.ts';
 export type { Plane, Sample, Stroke, View } from '../stroke/stroke.ts';
 export type { LoadOptions } from './api.ts';
+export type { Waiting } from './bodies.ts';
 export type {
   ChangeDetail,
   ErrorDetail,

@@ -160,7 +160,7 @@ export class Session implements Bench, Viewport {
   /** Those that are seen are made beside the page. */
   wantBodies(): void {
     const seen = this.document.parts.filter((part) => !part.hidden);
-    this.bodies.want(seen.filter(isBody).map(({ node }) => node));
+    this.bodies.want(seen.filter(isBody));
   }
 
   #bodyNews(news: News): void {

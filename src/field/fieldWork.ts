@@ -5,6 +5,9 @@ import type { Lattice } from './lattice.ts';
 import type { FieldNode } from './node.ts';
 import type { PackedBricks } from './packedBricks.ts';
 
+/** Cells of what is to be seen at once: 20,000 values, some 20 ms for a dozen skels. */
+export const DRAFT = 28;
+
 /** A body that is wanted; one that was wanted before is given up. */
 export interface Make {
   readonly type: 'make';
@@ -15,8 +18,11 @@ export interface Make {
   readonly resolution: number;
   /** who makes the mesh: the worker, or the page on its graphics device, which gets bricks for it */
   readonly mesh: 'worker' | 'page';
-  /** Of the body before what stays may be kept, on its lattice: quicker, but not to the bit what is made anew, as files have to be. */
-  readonly isEdited: boolean;
+  /**
+   * Under which name the body is kept, so that a next one of that name is an edit of it: quicker, but not to the bit what is made at once;
+   * null: neither, as files have to be.
+   */
+  readonly name: string | null;
 }
 
 /** Nothing is wanted any more, until the next `Make`. */
@@ -59,6 +65,8 @@ export interface Made extends Step {
   readonly type: 'made';
   readonly mesh: FieldMesh;
   readonly lattice: Lattice;
+  /** something was kept of the body before */
+  readonly isEdit: boolean;
   /** whether smooth pieces of it meet in edges: such bodies the worker makes, whoever was to */
   readonly hasCreases: boolean;
 }

@@ -43,8 +43,6 @@ interface State {
   readonly places: ReadonlyMap<number, number>;
   readonly values: BrickValues;
   readonly mesh: BrickMesh;
-  /** skels in all */
-  readonly asked: number;
   readonly hasEnd: boolean;
 }
 
@@ -56,8 +54,6 @@ interface Wish {
   readonly changes: TreeChanges | null;
 }
 
-/** of all skels: with more of them changed most of the body is made again anyway */
-const EDIT = 0.3;
 /** as many cells along the longest side as were asked for first: bodies that grow are made anew in larger cells then */
 const GROWN = 1.5;
 /** bricks between two looks at the clock */
@@ -73,6 +69,11 @@ export class LiveMesh {
   /** Cells along the longest side of the body as it is first. */
   constructor(resolution: number) {
     this.#resolution = resolution;
+  }
+
+  /** Active bricks that are kept, which most of its memory is for. */
+  get size(): number {
+    return this.#state?.places.size ?? 0;
   }
 
   /** Runs to the end; see `making`. */
@@ -102,7 +103,7 @@ export class LiveMesh {
     const before = this.#state;
     const own = before ? shared(before.tree.node, node) : node;
     const found = before && treeChanges(before.tree, own, before.next);
-    const changes = found && found.touched <= EDIT * before.asked ? found : null;
+    const changes = found?.isWorthIt ? found : null;
     this.#wish = { asked: node, node: own, changes };
     return this.#wish;
   }
@@ -116,7 +117,7 @@ export class LiveMesh {
     if (Math.max(...lattice.counts) > GROWN * this.#resolution && grown) return null;
     const whole = this.#whole(field, changes.tree);
     yield* before.live.edit(whole, changes.nodes, grown);
-    const state = { ...before, tree: changes.tree, lattice, asked: whole.asked };
+    const state = { ...before, tree: changes.tree, lattice };
     const made = yield* this.#meshing(state, whole, before);
     return hasEnd && made.isCut ? null : made;
   }
@@ -141,7 +142,7 @@ export class LiveMesh {
     for (let round = 0; ; round++) {
       const { lattice } = yield* fittedLattice(whole, within, this.#resolution);
       const live = yield* LiveBricks.making(whole, lattice);
-      const state = { tree, next, live, lattice, asked: whole.asked, hasEnd: field.box !== null };
+      const state = { tree, next, live, lattice, hasEnd: field.box !== null };
       const made = yield* this.#meshing(state, whole, null);
       const larger = within && round < ROUNDS ? grownWhere(within, this.#state!.values.leaves) : null;
       if (!larger) return made;

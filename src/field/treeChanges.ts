@@ -8,14 +8,17 @@ import type { BoundTerm } from './boundTerm.ts';
 import { grown, unite } from './boxes.ts';
 import type { Changes, LeafChange } from './near.ts';
 import type { FieldNode, SetNode, SkelsNode, Term } from './node.ts';
-import { type Numbered, numbered, partsOf, type Supply } from './numbered.ts';
+import { type Numbered, numbered, partsOf, Supply } from './numbered.ts';
+import { shared } from './shared.ts';
 
 export interface TreeChanges {
   /** the tree after them */
   readonly tree: Numbered;
   readonly nodes: Changes;
-  /** skels and shapes that went or came */
+  /** terms and shapes that went or came */
   readonly touched: number;
+  /** most of the tree is as it was: otherwise most of the body is made again anyway */
+  readonly isWorthIt: boolean;
   /** mm: what came is likely to be in here; null where that is not known */
   readonly reach: Box | null;
 }
@@ -27,8 +30,17 @@ export function treeChanges(before: Numbered, after: FieldNode, next: Supply): T
   const tree = comparing.pair(before, after, false);
   const { changes: nodes, touched, reaches } = comparing;
   const reach = reaches && reaches.length > 0 ? reaches.reduce((a, b) => unite(a, b)!) : null;
-  return { tree, nodes, touched, reach };
+  return { tree, nodes, touched, isWorthIt: touched <= EDIT * sizeOf(before.node), reach };
 }
+
+/** Whether most of a tree is as it was before: terms, parts and what wraps them. */
+export function isEditOf(before: FieldNode, after: FieldNode): boolean {
+  const next = new Supply();
+  return treeChanges(numbered(before, next), shared(before, after), next)?.isWorthIt ?? false;
+}
+
+/** of all terms and shapes */
+const EDIT = 0.3;
 
 /** of T: what a term alone comes to where its body is likely to end, others adding theirs */
 const REACH = 3;
@@ -139,7 +151,7 @@ class Comparing {
     const bound = (terms: readonly Term[], node: SkelsNode) =>
       terms.flatMap((term) => boundTerms(term, node));
     const change = { removed: bound(gone, before), added: bound(come, after) };
-    this.touched += Math.max(change.removed.length, change.added.length);
+    this.touched += Math.max(gone.length, come.length);
     if (this.#depth > 0) this.reaches = null;
     const reach = ({ field, factor }: BoundTerm) =>
       grown(field.box, field.offset(after.threshold / (REACH * Math.abs(factor))));
@@ -171,7 +183,7 @@ function without(terms: readonly Term[], others: readonly Term[]): readonly Term
   });
 }
 
-/** Skels and shapes. */
+/** Terms and shapes. */
 function sizeOf(node: FieldNode): number {
   if (node.type === 'skels') return node.skels.length;
   return partsOf(node).reduce((sum, part) => sum + sizeOf(part), node.type === 'shape' ? 1 : 0);

@@ -6,12 +6,11 @@
  */
 import { bindField } from '../field/bind.ts';
 import { hasCreases } from '../field/bricks.ts';
-import type { FromWorker, Made, Make, ToWorker } from '../field/fieldWork.ts';
-import { LiveMesh } from '../field/liveMesh.ts';
+import { DRAFT, type FromWorker, type Made, type Make, type ToWorker } from '../field/fieldWork.ts';
 import { type Located, locating, type Polygonized, polygonizing } from '../field/polygonize.ts';
-import type { TreeField } from '../field/treeField.ts';
 import { packBricks } from '../gpu/polygonize/lists.ts';
 import { gpuWork } from '../gpu/polygonize/work.ts';
+import { LiveMeshes } from './liveMeshes.ts';
 
 /** What this file needs of the scope of a worker, whose types cannot be there beside those of a page. */
 interface Scope {
@@ -21,8 +20,6 @@ interface Scope {
 
 /** ms of work between two looks at the messages */
 const SLICE = 12;
-/** cells: 20 000 values, some 20 ms for a dozen skels */
-const DRAFT = 28;
 /** a draft of less than this share of the cells that come after it is worth its time */
 const COARSER = 0.6;
 
@@ -31,13 +28,10 @@ let wish: Make | null = null;
 /** of what the page said last: other bodies are not wanted */
 let latest = 0;
 let working = false;
-/** nothing is kept */
-const NOTHING = { cells: 0, mesh: new LiveMesh(0) };
-let live = NOTHING;
+const kept = new LiveMeshes();
 
 scope.onmessage = ({ data }) => {
   wish = data.type === 'make' ? data : null;
-  if (!wish?.isEdited) live = NOTHING;
   latest = data.id;
   if (wish && !working) void work();
 };
@@ -57,42 +51,43 @@ async function work(): Promise<void> {
 }
 
 async function make(job: Make): Promise<void> {
-  const { id, node, resolution } = job;
-  const field = bindField(node);
+  const { id, resolution } = job;
   const isLatest = () => id === latest;
   // what is edited needs no drafts: it is there as soon as they would be
-  const isEdit = job.isEdited && live.cells === resolution && job.mesh === 'worker' && live.mesh.isEdit(node);
+  const isEdit = isEditOfKept(job);
   const levels = isEdit ? [resolution] : [...draftsBefore(resolution), resolution];
   for (const [i, cells] of levels.entries()) {
     const draft = i < levels.length - 1;
     // an edit is soon done, and given up it would have to be begun anew
     const wanted = () => isLatest() || ((draft || isEdit) && i === 0 && wish !== null);
     const start = performance.now();
-    const step = await sliced(id, stepping(job, field, cells, draft), wanted);
+    const step = await sliced(id, stepping(job, cells, draft), wanted);
     const rest = () => ({ id, draft: draft || !isLatest(), milliseconds: performance.now() - start });
     if (step) hand('mesh' in step ? handed(step, rest) : handedBricks(step, job, rest));
     if (!isLatest()) return;
   }
 }
 
+function isEditOfKept({ name, resolution, mesh, node }: Make): boolean {
+  const live = name !== null && mesh === 'worker' ? kept.known(name, resolution) : null;
+  return live?.isEdit(node) ?? false;
+}
+
 /** A mesh; or, where the page makes it and it has no creases, which graphics devices would cut off, the bricks of it. */
 function* stepping(
-  { mesh, node, isEdited }: Make,
-  field: TreeField,
+  { mesh, node, name }: Make,
   cells: number,
   isDraft: boolean,
 ): Generator<number, Meshed | Located> {
-  if (mesh === 'worker') {
-    return yield* isDraft || !isEdited ? polygonizing(field, cells) : liveOf(cells).making(node);
+  if (mesh === 'worker' && name !== null && !isDraft) {
+    const made = yield* kept.at(name, cells).making(node);
+    kept.trim();
+    return made;
   }
+  const field = bindField(node);
+  if (mesh === 'worker') return yield* polygonizing(field, cells);
   const located = yield* locating(field, cells);
   return hasCreases(located.bricks) ? yield* polygonizing(field, cells, field.box, located) : located;
-}
-
-/** The body of the last wish at so many cells: what a next one leaves of it is kept. */
-function liveOf(cells: number): LiveMesh {
-  if (live.cells !== cells) live = { cells, mesh: new LiveMesh(cells) };
-  return live.mesh;
 }
 
 /** Cells of what is shown on the way: some, then half as many as in the end, a quarter of the work. */
@@ -116,7 +111,7 @@ async function sliced<T>(id: number, work: Generator<number, T>, wanted: () => b
   }
 }
 
-type Meshed = Pick<Polygonized, 'mesh' | 'bricks' | 'evaluations'>;
+type Meshed = Pick<Polygonized, 'mesh' | 'bricks' | 'evaluations'> & { readonly isEdit?: boolean };
 type Rest = () => Pick<Made, 'id' | 'draft' | 'milliseconds'>;
 type Handed = readonly [message: FromWorker, transfer: readonly ArrayBufferLike[]];
 
@@ -124,10 +119,10 @@ function hand([message, transfer]: Handed): void {
   scope.postMessage(message, transfer);
 }
 
-function handed({ mesh, bricks, evaluations }: Meshed, rest: Rest): Handed {
+function handed({ mesh, bricks, evaluations, isEdit = false }: Meshed, rest: Rest): Handed {
   const { positions, normals, uvs, indices, colours } = mesh;
   const arrays = [positions, normals, uvs, indices, colours].map(({ buffer }) => buffer);
-  const facts = { lattice: bricks.lattice, evaluations, hasCreases: hasCreases(bricks) };
+  const facts = { lattice: bricks.lattice, evaluations, isEdit, hasCreases: hasCreases(bricks) };
   return [{ type: 'made', mesh, ...facts, ...rest() }, arrays];
 }
 

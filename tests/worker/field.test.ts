@@ -19,7 +19,7 @@ const scope: {
 const say = (data: ToWorker) => scope.onmessage!({ data });
 const sphere: FieldNode = { type: 'shape', shape: { type: 'sphere', radius: 10 } };
 const wish = (id: number, more: Partial<Make> = {}) =>
-  say({ type: 'make', id, node: sphere, resolution: 24, mesh: 'worker', isEdited: false, ...more });
+  say({ type: 'make', id, node: sphere, resolution: 24, mesh: 'worker', name: null, ...more });
 const of = (id: number) => heard.filter((message) => message.id === id);
 /** about a body, of whole bricks: there is one of air around it, and a node more than cells */
 const cellsOf = (step: Made | Located) => {
@@ -171,15 +171,25 @@ describe('the worker', () => {
         })),
       ),
     });
-    wish(30, { node: limbs(0), resolution: 60, isEdited: true });
+    wish(30, { node: limbs(0), resolution: 60, name: 'limbs' });
     const first = await made(30);
-    wish(31, { node: limbs(1), resolution: 60, isEdited: true });
+    wish(31, { node: limbs(1), resolution: 60, name: 'limbs' });
     const edit = await made(31);
     // no draft came before it
     expect(of(31).filter(({ type }) => type === 'made').length).toBe(1);
     expect(edit.evaluations).toBeLessThan(0.6 * first.evaluations);
+    expect([first.isEdit, edit.isEdit]).toEqual([false, true]);
     wish(32, { node: limbs(1), resolution: 60 });
-    expect((await made(32)).evaluations).toBeGreaterThan(edit.evaluations);
+    const anew = await made(32);
+    expect(anew.evaluations).toBeGreaterThan(edit.evaluations);
+    expect(anew.isEdit).toBe(false);
+    // another body, and what has no field, leave it as it is
+    wish(33, { resolution: 60, name: 'ball' });
+    expect(await made(33)).toMatchObject({ isEdit: false });
+    wish(34, { node: { ...limbs(2), threshold: 0 } as FieldNode, resolution: 60, name: 'limbs' });
+    await vi.waitFor(() => expect(of(34).at(-1)).toMatchObject({ type: 'refused' }));
+    wish(35, { node: limbs(1.2), resolution: 60, name: 'limbs' });
+    expect(await made(35)).toMatchObject({ isEdit: true });
   });
 
   test.each(['worker', 'page'] as const)('stops when told so: a mesh for the %s', async (mesh) => {

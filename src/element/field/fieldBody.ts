@@ -94,7 +94,7 @@ export class FieldBody {
     const mesh = onDevice && this.#failure === null ? 'page' : 'worker';
     this.progress = 0;
     this.#worker ??= this.#start();
-    const make: ToWorker = { type: 'make', id, node, resolution, mesh, isEdited: true };
+    const make: ToWorker = { type: 'make', id, node, resolution, mesh, name: 'body' };
     this.#worker.postMessage(make);
     this.#changed();
   }

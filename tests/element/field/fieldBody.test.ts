@@ -45,7 +45,7 @@ function arrays(triangles = 1): FieldMesh {
   const indices = new Uint32Array(3 * triangles);
   return { positions: three, normals: three, colours: three, uvs: new Float32Array(6), indices };
 }
-const step = { evaluations: 100, milliseconds: 7 };
+const step = { evaluations: 100, milliseconds: 7, isEdit: false };
 const made = (id: number, draft = false, hasCreases = false): FromWorker =>
   ({ type: 'made', id, draft, mesh: arrays(), lattice, hasCreases, ...step }) as const;
 const bricks = (id: number, draft = false): FromWorker => ({
