@@ -202,7 +202,7 @@ test('a body whose tree is replaced is edited, undone and redone; files are of w
   const limb = (x: number): FieldNode => ({
     type: 'affine',
     matrix: [1, 0, 0, x, 0, 1, 0, 0, 0, 0, 1, 0],
-    node: ball(6) as FieldNode,
+    node: { type: 'shape', shape: { type: 'sphere', radius: 6 }, colour: [0, 0.6, 0] },
   });
   const row = (last: number): FieldNode => ({
     type: 'union',

@@ -7,7 +7,7 @@
  * is proven, says otherwise, it is believed.
  */
 
-import { BEFORE, BrickNodes, inCommon, type LeafNodes } from './brickNodes.ts';
+import { BEFORE, BrickNodes, inCommon, LEAST, type LeafNodes } from './brickNodes.ts';
 import { around, type Brick, type Bricks, INSIDE, OUTSIDE } from './bricks.ts';
 import { CORNERS, SIDE } from './hermite.ts';
 import { BRICK, type Lattice, nodesBefore } from './lattice.ts';
@@ -17,8 +17,6 @@ import type { Near, Tally } from './near.ts';
 export const CUT = -1e300;
 /** of the 27 around a brick, itself */
 const MIDDLE = 13;
-/** of a sign that is known and nothing else */
-const LEAST = 1e-30;
 
 const SAME_CORNERS = inCommon(SIDE);
 

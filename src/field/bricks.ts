@@ -35,7 +35,7 @@ export interface Bricks {
   /** that may hold surface, by ascending number i + counts[0] (j + counts[1] k) */
   readonly active: readonly Brick[];
   /** of every brick its place in `active`, or OUTSIDE or INSIDE */
-  readonly grid: Int32Array;
+  readonly grid: Int32Array<ArrayBuffer>;
 }
 
 interface Cube {
@@ -74,7 +74,7 @@ export function* culling(whole: Near, lattice: Lattice): Generator<number, Brick
 }
 
 /** With their places in the grid, where all else is told already. */
-export function inOrder(lattice: Lattice, active: Brick[], grid: Int32Array): Bricks {
+export function inOrder(lattice: Lattice, active: Brick[], grid: Int32Array<ArrayBuffer>): Bricks {
   const counts = countsOf(lattice);
   active.sort((a, b) => numberOf(counts, a) - numberOf(counts, b));
   active.forEach((brick, place) => {

@@ -117,6 +117,7 @@ export class NearSet implements Near {
 
   within(x: number, y: number, z: number, half: number, missed: number): Near {
     const parts = this.#parts.map((part, i) => part.within(x, y, z, half, missed * this.#shareOf(i)));
+    // of a + b + √(a² + b²) no part goes without a trace: what is b < 0 moves the value by some a²/2|b|, though never its sign
     if (this.#operation !== hardUnion) {
       return new NearSet(parts, this.#dropped, this.#operation, this.#kind, this.node);
     }

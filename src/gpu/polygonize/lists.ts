@@ -31,7 +31,7 @@ export interface ListedBricks extends Pick<Bricks, 'lattice' | 'grid'> {
 /** Bricks of that very tree. */
 export function packBricks(node: FieldNode, { lattice, active, grid }: ListedBricks): PackedBricks {
   const lists = packLists(programOf(node), active);
-  return { lattice, count: active.length, grid: Int32Array.from(grid), lists };
+  return { lattice, count: active.length, grid, lists };
 }
 
 /** RangeError for a brick whose near does not tell of every sum. */

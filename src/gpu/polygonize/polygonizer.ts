@@ -47,8 +47,8 @@ class Polygonizer implements GpuPolygonizer {
   readonly #free: Buffers[] = [];
   /** of the first mesh */
   readonly #first: Capacity | null;
-  /** of one that did not fit */
-  #needed: Capacity | null = null;
+  /** of the last that did not fit, of so many bricks: others are taken to need as much a brick */
+  #needed: (Capacity & { readonly bricks: number }) | null = null;
   #isGone = false;
   #lost: string | null = null;
 
@@ -82,7 +82,7 @@ class Polygonizer implements GpuPolygonizer {
     for (;;) {
       const mesh = await this.polygonize(node, packed);
       if (!(await mesh.overflowed())) return mesh;
-      this.#needed = await mesh.needed();
+      this.#needed = { ...(await mesh.needed()), bricks: packed.count };
       mesh.destroy();
     }
   }
@@ -111,10 +111,11 @@ class Polygonizer implements GpuPolygonizer {
   #roomFor({ count }: PackedBricks): Capacity {
     if (this.#first && !this.#needed) return this.#first;
     const guess = Math.max(FEWEST, VERTICES_A_BRICK * count);
-    const { vertices, triangles } = this.#needed ?? { vertices: 0, triangles: 0 };
+    const { vertices, triangles, bricks } = this.#needed ?? { vertices: 0, triangles: 0, bricks: 1 };
+    const alike = (known: number) => Math.ceil((known * count) / Math.max(1, bricks));
     return {
-      vertices: Math.max(Math.min(guess, MOST.vertices), vertices),
-      triangles: Math.max(Math.min(2 * guess, MOST.triangles), triangles),
+      vertices: Math.max(Math.min(guess, MOST.vertices), alike(vertices)),
+      triangles: Math.max(Math.min(2 * guess, MOST.triangles), alike(triangles)),
     };
   }
 
