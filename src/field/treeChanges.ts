@@ -19,6 +19,8 @@ export interface TreeChanges {
   readonly touched: number;
   /** most of the tree is as it was: otherwise most of the body is made again anyway */
   readonly isWorthIt: boolean;
+  /** leaves and terms are where they were: none went, and none came but in place of another */
+  readonly isInPlace: boolean;
   /** mm: what came is likely to be in here; null where that is not known */
   readonly reach: Box | null;
 }
@@ -28,9 +30,9 @@ export function treeChanges(before: Numbered, after: FieldNode, next: Supply): T
   if (!areAlike(before.node, after)) return null;
   const comparing = new Comparing(next);
   const tree = comparing.pair(before, after, false);
-  const { changes: nodes, touched, reaches } = comparing;
+  const { changes: nodes, touched, isInPlace, reaches } = comparing;
   const reach = reaches && reaches.length > 0 ? reaches.reduce((a, b) => unite(a, b)!) : null;
-  return { tree, nodes, touched, isWorthIt: touched <= EDIT * sizeOf(before.node), reach };
+  return { tree, nodes, touched, isWorthIt: touched <= EDIT * sizeOf(before.node), isInPlace, reach };
 }
 
 /** Whether most of a tree is as it was before: terms, parts and what wraps them. */
@@ -72,6 +74,7 @@ const isHard = (node: FieldNode): node is SetNode => 'form' in node && node.form
 class Comparing {
   readonly changes = new Map<number, LeafChange>();
   touched = 0;
+  isInPlace = true;
   /** of terms that came; null where something else did */
   reaches: Box[] | null = [];
   readonly #next: Supply;
@@ -117,8 +120,10 @@ class Comparing {
     const found = after.parts.map((part, i) => (i === 0 && first) || take(({ node }) => node === part));
     const parts = after.parts.map((part, i) => {
       const old = found[i] ?? take(({ node }) => areAlike(node, part));
+      if (old !== before.parts[i]) this.isInPlace = false;
       return old ? this.pair(old, part, isMoved) : this.#came(part);
     });
+    if (left.length > 0) this.isInPlace = false;
     for (const { node, number } of left) {
       this.touched += sizeOf(node);
       // the set is marked by what went, too
@@ -138,12 +143,12 @@ class Comparing {
 
   /** Undefined: nothing. */
   #sum(before: SkelsNode, after: SkelsNode, isMoved: boolean): LeafChange | undefined {
-    const body = ({ kernel, params, threshold, colour }: SkelsNode) => [kernel, params, threshold, colour];
     const gone = without(before.skels, after.skels);
     const come = without(after.skels, before.skels);
+    if (!areInPlace(before, after, new Set(gone), new Set(come))) this.isInPlace = false;
     // a colour moves no surface: what is near would be kept as it was
     const isPainted = !isSame(gone.map(colourOf), come.map(colourOf)) && [...gone, ...come].some(colourOf);
-    if (isMoved || isPainted || !isSame(body(before), body(after))) {
+    if (isMoved || isPainted || !isSame(bodyOf(before), bodyOf(after))) {
       this.touched += Math.max(before.skels.length, after.skels.length);
       return null;
     }
@@ -168,6 +173,27 @@ class Comparing {
   #mark(number: number): void {
     if (!this.changes.has(number)) this.changes.set(number, null);
   }
+}
+
+const bodyOf = ({ kernel, params, threshold, colour }: SkelsNode) => [kernel, params, threshold, colour];
+
+/** Whether each term is where it was, or where another of as many pieces was that went. */
+function areInPlace(
+  before: SkelsNode,
+  after: SkelsNode,
+  gone: ReadonlySet<Term>,
+  come: ReadonlySet<Term>,
+): boolean {
+  const isBody = isSame(bodyOf(before), bodyOf(after));
+  const pieces = (term: Term, node: SkelsNode) => boundTerms(term, node).length;
+  return (
+    before.skels.length === after.skels.length &&
+    before.skels.every((term, i) => {
+      const other = after.skels[i]!;
+      if (term === other) return isBody || pieces(term, before) === pieces(other, after);
+      return gone.has(term) && come.has(other) && pieces(term, before) === pieces(other, after);
+    })
+  );
 }
 
 const colourOf = ({ colour }: Term) => colour;
