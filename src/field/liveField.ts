@@ -125,14 +125,14 @@ export class LiveField {
 
   /** The lattice, if the body leaves it by what came. */
   *#grown({ lattice, tree }: State, changes: TreeChanges): Generator<number, Grown | null> {
-    if (changes.reach) return latticeGrown(lattice, changes.reach);
+    if (changes.reach) return roomier(lattice, changes.reach);
     let box: Box | null = null;
     for (const part of growth(tree, changes.tree, changes.nodes)) {
       const field = bindField(part);
       const own = field.box && (yield* fitting(field.near(this.#tally), field.box));
       if (own) box = unite(box ?? own, own);
     }
-    return box && latticeGrown(lattice, box);
+    return box && roomier(lattice, box);
   }
 
   *#anew(node: FieldNode, field: TreeField, within: Box | null): Generator<number, LiveStep> {
@@ -158,4 +158,20 @@ export class LiveField {
     const numbers = bricks.active.map((brick) => live.number(brick));
     return { whole, tally: this.#tally, bricks, box, numbers, renewed: live.renewed, isEdit, isInPlace };
   }
+}
+
+/** of the longest side: what leaves a lattice is likely to go on the same way */
+const ROOM = 0.05;
+
+/** Null where the lattice holds the box; otherwise one that holds more than that. */
+function roomier(lattice: Lattice, box: Box): Grown | null {
+  if (!latticeGrown(lattice, box)) return null;
+  const { min, max } = box;
+  const room = ROOM * lattice.step * Math.max(...lattice.counts);
+  const wide = (low: number, high: number, axis: 0 | 1 | 2) => {
+    const end = lattice.origin[axis] + lattice.step * (lattice.counts[axis] - 1);
+    return [low < lattice.origin[axis] ? low - room : low, high > end ? high + room : high] as const;
+  };
+  const [x, y, z] = [wide(min[0], max[0], 0), wide(min[1], max[1], 1), wide(min[2], max[2], 2)];
+  return latticeGrown(lattice, { min: [x[0], y[0], z[0]], max: [x[1], y[1], z[1]] });
 }

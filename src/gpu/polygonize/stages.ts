@@ -98,6 +98,7 @@ export function modulesOf(ingredients: Ingredients): Modules {
 }
 
 const TABLES: Modules = {
+  bricks: '#import polygonize/eachBrick\n',
   'record/lattice': LATTICE.wgsl,
   'table/entries': constants('', ENTRY).join(''),
   'table/loops': loopModule(),
@@ -107,17 +108,18 @@ type Plain = readonly [Scan, readonly (readonly [StageName, GPUComputePipeline])
 
 async function loadPlain(device: GPUDevice): Promise<Plain> {
   const modules = { ...SHADERS, ...TABLES };
-  return Promise.all([loadScan(device), Promise.all(PLAIN.map((name) => load(device, modules, name)))]);
+  return Promise.all([loadScan(device), Promise.all(PLAIN.map((name) => loadStage(device, modules, name)))]);
 }
 
 async function loadStages(device: GPUDevice, plain: Promise<Plain>, modules: Modules): Promise<Stages> {
-  const evaluating = Promise.all(EVALUATING.map((name) => load(device, modules, name)));
+  const evaluating = Promise.all(EVALUATING.map((name) => loadStage(device, modules, name)));
   const [[scan, others], own] = await Promise.all([plain, evaluating]);
   const pipelines = Object.fromEntries([...others, ...own]) as Record<StageName, GPUComputePipeline>;
   return { pipelines, scan };
 }
 
-async function load<Name extends StageName>(device: GPUDevice, modules: Modules, name: Name) {
+/** One of them by its name. */
+export async function loadStage<Name extends StageName>(device: GPUDevice, modules: Modules, name: Name) {
   const label = `polygonize/${name}`;
   const module = await compile(device, label, link(modules, label));
   const pipeline = await device.createComputePipelineAsync({

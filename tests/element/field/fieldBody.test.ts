@@ -77,7 +77,8 @@ function polygonizer(): GpuPolygonizer {
       const mesh = { draw: {}, needed, destroy: vi.fn() } as unknown as Asked['mesh'];
       asked.push({ node, mesh, resolve: () => resolve(mesh), reject });
     });
-  return { whole, polygonize: whole, destroy: destroyed };
+  const meshOf = () => Promise.reject(new Error('not edited here'));
+  return { whole, polygonize: whole, meshOf, destroy: destroyed };
 }
 
 let body: FieldBody;
