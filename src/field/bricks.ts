@@ -7,6 +7,7 @@
  * they save values) and of eight (more values).
  */
 import type { Vec3 } from '../math/vec.ts';
+import type { Box } from '../skeleton/skeleton.ts';
 import { BRICK, type Lattice } from './lattice.ts';
 import type { Near } from './near.ts';
 
@@ -93,6 +94,19 @@ export const countsOf = ({ counts }: Lattice): Vec3 => [
 /** Whether smooth fields meet in it, in edges. */
 export const hasCreases = ({ active }: Pick<Bricks, 'active'>): boolean =>
   active.some(({ near }) => near.branches > 1);
+
+/** Around all that may hold surface; of nothing the origin of the lattice. */
+export function brickBox({ lattice: { origin, step }, active }: Pick<Bricks, 'lattice' | 'active'>): Box {
+  const [min, max] = [[...origin], [...origin]] as [[number, number, number], [number, number, number]];
+  active.forEach(({ i, j, k }, place) => {
+    [i, j, k].forEach((at, axis) => {
+      const low = origin[axis]! + at * BRICK * step;
+      min[axis] = place === 0 ? low : Math.min(min[axis]!, low);
+      max[axis] = place === 0 ? low + BRICK * step : Math.max(max[axis]!, low + BRICK * step);
+    });
+  });
+  return { min, max };
+}
 
 type At = Pick<Brick, 'i' | 'j' | 'k'>;
 

@@ -3,7 +3,7 @@ import type { Box } from '../skeleton/skeleton.ts';
 import type { FieldMesh } from './brickMesh.ts';
 import type { Lattice } from './lattice.ts';
 import type { FieldNode } from './node.ts';
-import type { PackedBricks } from './packedBricks.ts';
+import type { PackedBricks, PackedEdit } from './packedBricks.ts';
 
 /** Cells of what is to be seen at once: 20,000 values, some 20 ms for a dozen skels. */
 export const DRAFT = 28;
@@ -23,6 +23,8 @@ export interface Make {
    * null: neither, as files have to be.
    */
   readonly name: string | null;
+  /** of a page that makes the mesh: it still has what was handed to it last, so that edits of that will do */
+  readonly isHeld?: boolean;
 }
 
 /** Nothing is wanted any more, until the next `Make`. */
@@ -54,7 +56,11 @@ interface Step {
 export interface Located extends Step {
   readonly type: 'bricks';
   readonly node: FieldNode;
-  readonly bricks: PackedBricks;
+  readonly lattice: Lattice;
+  /** all of them; or, of a body that is kept, what became of those that were handed over before */
+  readonly bricks: PackedBricks | PackedEdit;
+  /** edits of them may follow */
+  readonly isKept: boolean;
   /** around all that is inside, mm */
   readonly box: Box;
   /** what each vertex adds to the work */

@@ -31,8 +31,8 @@ export interface LiveStep {
   readonly renewed: ReadonlySet<number>;
   /** others were kept */
   readonly isEdit: boolean;
-  /** and all leaves, terms and bricks have the places that they had: what is known of others by place holds */
-  readonly isInPlace: boolean;
+  /** the lattice is a larger one */
+  readonly isGrown: boolean;
 }
 
 interface State {
@@ -58,14 +58,19 @@ const GROWN = 1.5;
 
 export class LiveField {
   readonly #resolution: number;
+  readonly #isInPlace: boolean;
   readonly #tally = new Tally();
   #state: State | null = null;
   /** that was asked about last */
   #wish: Wish | null = null;
 
-  /** Cells along the longest side of the body as it is first. */
-  constructor(resolution: number) {
+  /**
+   * Cells along the longest side of the body as it is first. `isInPlace`: edits leave all leaves and terms in their places, so that lists of
+   * bricks, which name them by these, hold; others are located anew.
+   */
+  constructor(resolution: number, isInPlace = false) {
     this.#resolution = resolution;
+    this.#isInPlace = isInPlace;
   }
 
   /** Whether `node` differs from the body before in some of its parts or terms only, so that an edit is worth it. */
@@ -102,7 +107,8 @@ export class LiveField {
     const before = this.#state;
     const own = before ? shared(before.tree.node, node) : node;
     const found = before && treeChanges(before.tree, own, before.next);
-    this.#wish = { asked: node, node: own, changes: found?.isWorthIt ? found : null };
+    const isTaken = found?.isWorthIt && (found.isInPlace || !this.#isInPlace);
+    this.#wish = { asked: node, node: own, changes: isTaken ? found : null };
     return this.#wish;
   }
 
@@ -110,22 +116,22 @@ export class LiveField {
   *#edited(before: State, changes: TreeChanges, field: TreeField): Generator<number, LiveStep | null> {
     const { box } = field;
     if ((box === null) !== (before.box === null)) return null;
-    const grown = box && (yield* this.#grown(before, changes));
+    const whole = this.#whole(field, changes.tree);
+    const grown = box && (yield* this.#grown(before, changes, whole));
     const lattice = grown?.lattice ?? before.lattice;
     if (grown && Math.max(...lattice.counts) > GROWN * this.#resolution) return null;
-    const whole = this.#whole(field, changes.tree);
     yield* before.live.edit(whole, changes.nodes, grown);
-    return this.#step(
-      { ...before, tree: changes.tree, lattice, box },
-      whole,
-      true,
-      changes.isInPlace && !grown,
-    );
+    return this.#step({ ...before, tree: changes.tree, lattice, box }, whole, true, grown !== null);
   }
 
   /** The lattice, if the body leaves it by what came. */
-  *#grown({ lattice, tree }: State, changes: TreeChanges): Generator<number, Grown | null> {
-    if (changes.reach) return roomier(lattice, changes.reach);
+  *#grown({ lattice, tree }: State, changes: TreeChanges, whole: Near): Generator<number, Grown | null> {
+    const { reach } = changes;
+    if (reach) {
+      // it holds more than the body does
+      const fitted = latticeGrown(lattice, reach) && (yield* fitting(whole, reach));
+      return fitted && roomier(lattice, fitted);
+    }
     let box: Box | null = null;
     for (const part of growth(tree, changes.tree, changes.nodes)) {
       const field = bindField(part);
@@ -151,12 +157,12 @@ export class LiveField {
     return field.near(this.#tally);
   }
 
-  #step(state: State, whole: Near, isEdit: boolean, isInPlace: boolean): LiveStep {
+  #step(state: State, whole: Near, isEdit: boolean, isGrown: boolean): LiveStep {
     this.#state = state;
     const { live, box } = state;
     const bricks = live.bricks();
     const numbers = bricks.active.map((brick) => live.number(brick));
-    return { whole, tally: this.#tally, bricks, box, numbers, renewed: live.renewed, isEdit, isInPlace };
+    return { whole, tally: this.#tally, bricks, box, numbers, renewed: live.renewed, isEdit, isGrown };
   }
 }
 

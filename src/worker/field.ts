@@ -5,10 +5,12 @@
  * coarsest is finished as long as anything is wanted, so that a slider that is being dragged is followed.
  */
 import { bindField } from '../field/bind.ts';
-import { hasCreases } from '../field/bricks.ts';
+import { brickBox, hasCreases } from '../field/bricks.ts';
 import { DRAFT, type FromWorker, type Made, type Make, type ToWorker } from '../field/fieldWork.ts';
+import { LiveField, type LiveStep } from '../field/liveField.ts';
 import { type Located, locating, type Polygonized, polygonizing } from '../field/polygonize.ts';
 import { packBricks } from '../gpu/polygonize/lists.ts';
+import { packEdit } from '../gpu/polygonize/packEdit.ts';
 import { gpuWork } from '../gpu/polygonize/work.ts';
 import { LiveMeshes } from './liveMeshes.ts';
 
@@ -29,6 +31,8 @@ let wish: Make | null = null;
 let latest = 0;
 let working = false;
 const kept = new LiveMeshes();
+/** what the page has of a body whose mesh it makes itself */
+let onPage: { readonly name: string; readonly cells: number; readonly field: LiveField } | null = null;
 
 scope.onmessage = ({ data }) => {
   wish = data.type === 'make' ? data : null;
@@ -68,9 +72,11 @@ async function make(job: Make): Promise<void> {
   }
 }
 
-function isEditOfKept({ name, resolution, mesh, node }: Make): boolean {
-  const live = name !== null && mesh === 'worker' ? kept.known(name, resolution) : null;
-  return live?.isEdit(node) ?? false;
+function isEditOfKept({ name, resolution, mesh, node, isHeld }: Make): boolean {
+  if (name === null) return false;
+  if (mesh === 'worker') return kept.known(name, resolution)?.isEdit(node) ?? false;
+  if (onPage?.name !== name || onPage.cells !== resolution || isHeld !== true) onPage = null;
+  return onPage?.field.isEdit(node) ?? false;
 }
 
 /** A mesh; or, where the page makes it and it has no creases, which graphics devices would cut off, the bricks of it. */
@@ -78,11 +84,18 @@ function* stepping(
   { mesh, node, name }: Make,
   cells: number,
   isDraft: boolean,
-): Generator<number, Meshed | Located> {
+): Generator<number, Meshed | Located | LiveStep> {
   if (mesh === 'worker' && name !== null && !isDraft) {
     const made = yield* kept.at(name, cells).making(node);
     kept.trim();
     return made;
+  }
+  if (mesh === 'page' && name !== null && !isDraft) {
+    onPage ??= { name, cells, field: new LiveField(cells, true) };
+    const step = yield* onPage.field.locating(node);
+    if (!hasCreases(step.bricks)) return step;
+    onPage = null;
+    return yield* kept.at(name, cells).making(node);
   }
   const field = bindField(node);
   if (mesh === 'worker') return yield* polygonizing(field, cells);
@@ -126,10 +139,25 @@ function handed({ mesh, bricks, evaluations, isEdit = false }: Meshed, rest: Res
   return [{ type: 'made', mesh, ...facts, ...rest() }, arrays];
 }
 
-function handedBricks({ bricks, box, tally }: Located, { node }: Make, rest: Rest): Handed {
-  const packed = packBricks(node, bricks);
-  const { nodes, aVertex } = gpuWork(bricks);
-  const facts = { box, evaluations: tally.work + nodes, workAVertex: aVertex };
+/** Edits of what the page has are no more than what they made anew. */
+function handedBricks(step: Located | LiveStep, { node }: Make, rest: Rest): Handed {
+  const { bricks, tally } = step;
+  const isKept = 'renewed' in step;
+  const isEdit = isKept && step.isEdit && !step.isGrown;
+  const packed = isEdit ? packEdit(node, step) : packBricks(node, bricks);
+  const asked = isEdit
+    ? bricks.active.filter((_, place) => step.renewed.has(step.numbers[place]!))
+    : bricks.active;
+  const { nodes } = gpuWork({ ...bricks, active: asked });
+  const box = isKept ? brickBox(bricks) : step.box;
+  const { aVertex } = gpuWork(bricks);
+  const facts = {
+    lattice: bricks.lattice,
+    box,
+    isKept,
+    evaluations: tally.work + nodes,
+    workAVertex: aVertex,
+  };
   return [
     { type: 'bricks', node, bricks: packed, ...facts, ...rest() },
     [packed.grid.buffer, packed.lists.buffer],

@@ -54,6 +54,8 @@ const bricks = (id: number, draft = false): FromWorker => ({
   draft,
   node: tree(id),
   bricks: { lattice, count: 1, grid: new Int32Array(1), lists: new Uint32Array(4) },
+  isKept: false,
+  lattice,
   box: { min: [-id, 0, 0], max: [id, 1, 1] },
   workAVertex: 10,
   ...step,
