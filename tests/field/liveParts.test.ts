@@ -71,7 +71,7 @@ const ofHundred: readonly (readonly [name: string, before: FieldNode, after: Fie
 
 describe('of a hundred', () => {
   test.each(ofHundred)('%s asks a tenth at most, and is what is made at once', (_, before, after) => {
-    const live = new LiveMesh(128);
+    const live = new LiveMesh(160);
     const whole = live.make(before);
     // as a worker gets it
     const edit = live.make(structuredClone(after));
@@ -81,7 +81,7 @@ describe('of a hundred', () => {
     expect(share).toBeLessThan(0.1);
     expect(edit.renewed).toBeLessThan(0.1 * edit.bricks.active.length);
     expect(edit.bricks.lattice.step).toBe(whole.bricks.lattice.step);
-    const fresh = polygonize(bindField(after), 128);
+    const fresh = polygonize(bindField(after), 160);
     const { genus, components } = topology(fresh.mesh);
     expect(topology(edit.mesh)).toMatchObject({ watertight: true, finite: true, genus, components });
     expect(volume(edit.mesh) / volume(fresh.mesh)).toBeCloseTo(1, 1);
