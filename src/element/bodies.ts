@@ -7,7 +7,7 @@
 import { type Body, bodyMade, CELLS, dropBody, isExact, keepBody, makeBody } from '../document/bodies.ts';
 import { DRAFT, type FromWorker, type Made, type ToWorker } from '../field/fieldWork.ts';
 import type { FieldNode } from '../field/node.ts';
-import { isEditOf } from '../field/treeChanges.ts';
+import { areAlike } from '../field/treeChanges.ts';
 import { messageOf } from './events.ts';
 import { WORDS } from './words.ts';
 
@@ -87,6 +87,11 @@ export class Bodies {
     const names = new Map(bodies.map(({ id, node }) => [node, id]));
     this.#wanted = [...names].map(([node, id]) => ({ id, node }));
     this.#go();
+  }
+
+  /** What is wanted next is of another drawing, whatever the names. */
+  forget(): void {
+    this.#seen = new Map();
   }
 
   /** Resolves when each of them is made as files have to be, or cannot be made; also when nobody sees them any more. */
@@ -287,5 +292,6 @@ export class Bodies {
 /** The mesh of the tree before an edit is to be seen until there is one of the tree after it. */
 function standIn(before: FieldNode | undefined, after: FieldNode): void {
   const body = before ? bodyMade(before) : null;
-  if (body && bodyMade(after) === null && isEditOf(before!, after)) keepBody(after, { ...body, cells: 0 });
+  if (!body || bodyMade(after) !== null) return;
+  if (areAlike(before!, after)) keepBody(after, { ...body, cells: 0 });
 }

@@ -152,6 +152,7 @@ export class Session implements Bench, Viewport {
   #replaced(before: Document, commands: readonly Command[], cause: Cause): void {
     this.update();
     if (this.document === before) return;
+    if (commands.some(({ type }) => type === 'load')) this.bodies.forget();
     this.wantBodies();
     this.select(this.selection);
     this.#hooks.committed(commands, cause);

@@ -8,8 +8,7 @@ import type { BoundTerm } from './boundTerm.ts';
 import { grown, unite } from './boxes.ts';
 import type { Changes, LeafChange } from './near.ts';
 import type { FieldNode, SetNode, SkelsNode, Term } from './node.ts';
-import { type Numbered, numbered, partsOf, Supply } from './numbered.ts';
-import { shared } from './shared.ts';
+import { type Numbered, numbered, partsOf, type Supply } from './numbered.ts';
 
 export interface TreeChanges {
   /** the tree after them */
@@ -35,20 +34,14 @@ export function treeChanges(before: Numbered, after: FieldNode, next: Supply): T
   return { tree, nodes, touched, isWorthIt: touched <= EDIT * sizeOf(before.node), isInPlace, reach };
 }
 
-/** Whether most of a tree is as it was before: terms, parts and what wraps them. */
-export function isEditOf(before: FieldNode, after: FieldNode): boolean {
-  const next = new Supply();
-  return treeChanges(numbered(before, next), shared(before, after), next)?.isWorthIt ?? false;
-}
-
 /** of all terms and shapes */
 const EDIT = 0.3;
 
 /** of T: what a term alone comes to where its body is likely to end, others adding theirs */
 const REACH = 3;
 
-/** Whether what is left of the one is found in the other. */
-function areAlike(before: FieldNode, after: FieldNode): boolean {
+/** Whether trees are built alike, so that what is left of the one is found in the other. */
+export function areAlike(before: FieldNode, after: FieldNode): boolean {
   if (before === after) return true;
   if (before.type !== after.type || !isSame(amountsOf(before), amountsOf(after))) return false;
   const [old, young] = [partsOf(before), partsOf(after)];

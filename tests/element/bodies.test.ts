@@ -238,9 +238,19 @@ describe('Bodies', () => {
       edited(9);
       worker().answer();
       worker().answer();
-      const other = ball(3);
+      const other: FieldNode = {
+        type: 'affine',
+        matrix: [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0],
+        node: ball(3),
+      };
       bodies.want(seen(other));
       expect(bodyMade(other)).toBeNull();
+      bodies.want(seen(row(9)));
+      bodies.forget();
+      const loaded = edited(12);
+      expect(bodyMade(loaded)).toBeNull();
+      worker().answer();
+      worker().answer();
       const bad = edited(9.5);
       worker().say({ type: 'refused', id: worker().last.id, message: 'no room' });
       expect(bodyMade(bad)).toBeNull();
