@@ -13,10 +13,10 @@ import type { Format, OutFile } from '../export/index.ts';
 import type { Scene } from '../scene/index.ts';
 import type { Stroke } from '../stroke/stroke.ts';
 import { Arrival } from './arrival.ts';
-import type { Waiting } from './bodies.ts';
 import { checkedCommands, checkedIds } from './check.ts';
 import { Declared, type DeclaredHost } from './declared.ts';
 import { changed, failed, type RotundSketchEventMap, selected } from './events.ts';
+import type { Waiting } from './needs.ts';
 import type { Hooks, Session } from './session.ts';
 import { pictureOptions, pngOf, type Shot } from './shot.ts';
 import { named } from './source.ts';
@@ -381,7 +381,7 @@ export abstract class SketchApi extends LitElement {
   protected override willUpdate(changes: PropertyValues): void {
     if (changes.has('renderStyle')) this.declared.takeStyle();
     if (changes.has('readOnly') && this.readOnly) this.session.cancel();
-    this.session.bodies.isEdited = !this.readOnly;
+    this.session.bodies.expectsEdits = !this.readOnly;
     this.declared.followStyle();
   }
 

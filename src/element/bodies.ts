@@ -9,6 +9,7 @@ import { DRAFT, type FromWorker, type Made, type ToWorker } from '../field/field
 import type { FieldNode } from '../field/node.ts';
 import { areAlike } from '../field/treeChanges.ts';
 import { messageOf } from './events.ts';
+import { Needs, type Waiting } from './needs.ts';
 import { WORDS } from './words.ts';
 
 /** What of a worker is used. */
@@ -31,22 +32,6 @@ interface Job {
   readonly name: string | null;
 }
 
-/** Bodies for a file. */
-interface Need {
-  readonly nodes: readonly FieldNode[];
-  /** hears what share is there */
-  readonly progress: (share: number) => void;
-  readonly resolve: () => void;
-}
-
-/** What waits for bodies. */
-export interface Waiting {
-  /** gives them up; the promise rejects with its reason */
-  readonly signal?: AbortSignal;
-  /** hears what share is there, 0–1 */
-  readonly progress?: (share: number) => void;
-}
-
 /** Something was made or refused; or work went on. */
 export type News = 'made' | 'progress';
 
@@ -54,7 +39,7 @@ export class Bodies {
   /** 0–1 of the step under way */
   share = 0;
   /** Edits are likely: what they leave of a body is kept. */
-  isEdited = true;
+  expectsEdits = true;
   readonly #changed: (news: News) => void;
   readonly #start: () => BodyWorker;
   readonly #problems = new WeakMap<FieldNode, string>();
@@ -62,7 +47,7 @@ export class Bodies {
   #wanted: readonly Named[] = [];
   /** by name */
   #seen: ReadonlyMap<string, FieldNode> = new Map();
-  #needs: readonly Need[] = [];
+  readonly #needs = new Needs();
   #job: Job | null = null;
   /** the job that was given up last */
   #before: Job | null = null;
@@ -95,18 +80,8 @@ export class Bodies {
   }
 
   /** Resolves when each of them is made as files have to be, or cannot be made; also when nobody sees them any more. */
-  exactly(nodes: readonly FieldNode[], { signal, progress = () => {} }: Waiting = {}): Promise<void> {
-    return new Promise((resolve, reject) => {
-      signal?.throwIfAborted();
-      const need = { nodes, progress, resolve };
-      this.#needs = [...this.#needs, need];
-      signal?.addEventListener('abort', () => {
-        this.#needs = this.#needs.filter((other) => other !== need);
-        reject(signal.reason as Error);
-        this.#go();
-      });
-      this.#go();
-    });
+  exactly(nodes: readonly FieldNode[], waiting: Waiting = {}): Promise<void> {
+    return this.#needs.wait(nodes, waiting, () => this.#go());
   }
 
   /** What is being made; null: nothing. */
@@ -162,29 +137,23 @@ export class Bodies {
     const isOpen = (node: FieldNode) => this.problem(node) === null;
     const unseen = this.#wanted.find(({ node }) => isOpen(node) && bodyMade(node) === null);
     if (unseen) return { node: unseen.node, cells: DRAFT, name: null };
-    const needed = this.#needs.flatMap(({ nodes }) => nodes).filter((node) => !this.#isDone(node));
+    const needed = this.#needs.nodes.filter((node) => !this.#isDone(node));
     // what is under way may turn out to be what the file wants
     if (this.#job?.cells === CELLS && needed.includes(this.#job.node)) return this.#job;
     if (needed[0]) return { node: needed[0], cells: CELLS, name: null };
     const coarse = this.#wanted.find(({ node }) => isOpen(node) && (bodyMade(node)?.cells ?? 0) < CELLS);
-    return coarse ? { node: coarse.node, cells: CELLS, name: this.isEdited ? coarse.id : null } : null;
+    return coarse ? { node: coarse.node, cells: CELLS, name: this.expectsEdits ? coarse.id : null } : null;
   }
 
   #isDone(node: FieldNode): boolean {
     return isExact(bodyMade(node)) || this.problem(node) !== null;
   }
 
-  /** Whoever waits for bodies for a file, how many of them are there. */
+  /** Whoever waits for bodies for a file, how much of them is there. */
   #tell(): void {
-    for (const need of this.#needs) {
-      const { nodes, progress, resolve } = need;
-      const done = nodes.filter((node) => this.#isDone(node)).length;
-      const isUnderWay = this.#job?.cells === CELLS && nodes.includes(this.#job.node);
-      progress(done < nodes.length ? (done + (isUnderWay ? this.share : 0)) / nodes.length : 1);
-      if (done < nodes.length) continue;
-      this.#needs = this.#needs.filter((other) => other !== need);
-      resolve();
-    }
+    const { share } = this;
+    const underWay = this.#job?.cells === CELLS ? this.#job.node : null;
+    this.#needs.tell((node) => (this.#isDone(node) ? 1 : node === underWay ? Math.min(share, 0.99) : 0));
   }
 
   #send(job: Job): void {
@@ -279,7 +248,7 @@ export class Bodies {
 
   /** Nothing to do: a worker that waits is memory for nothing, where no edits are awaited. */
   #rest(): void {
-    if (!this.isEdited || this.#wanted.length === 0) {
+    if (!this.expectsEdits || this.#wanted.length === 0) {
       this.#worker?.terminate();
       this.#worker = null;
     }

@@ -1,9 +1,9 @@
 /** Exporting: meshes for other programs and pictures, one at a time, as downloads. */
 import type { ReactiveControllerHost } from 'lit';
 import type { Exporter, Format, OutFile } from '../export/index.ts';
-import type { Waiting } from './bodies.ts';
 import { messageOf } from './events.ts';
 import { download } from './fileAccess.ts';
+import type { Waiting } from './needs.ts';
 import { fileNameOf } from './saving.ts';
 import type { Session } from './session.ts';
 import type { Shot } from './shot.ts';

@@ -16,7 +16,6 @@ export type { FieldNode } from '../field/node.ts';
 export type { Mesh } from '../mesh/mesh.ts';
 export type { Plane, Sample, Stroke, View } from '../stroke/stroke.ts';
 export type { LoadOptions } from './api.ts';
-export type { Waiting } from './bodies.ts';
 export type {
   ChangeDetail,
   ErrorDetail,
@@ -24,6 +23,7 @@ export type {
   RotundSketchEventMap,
   SelectDetail,
 } from './events.ts';
+export type { Waiting } from './needs.ts';
 export { RotundSketch } from './rotundSketch.ts';
 export type { Angles, Shot } from './shot.ts';
 export type { StrokeInput } from './strokeInput.ts';

@@ -60,7 +60,7 @@ beforeEach(() => {
 describe('Bodies', () => {
   it('makes drafts of all before the fine ones, then lets the worker go', async () => {
     const [a, b] = [ball(5), ball(6)];
-    bodies.isEdited = false;
+    bodies.expectsEdits = false;
     bodies.want(seen(a, b, a));
     const settled = bodies.settled();
     expect(bodies.drafted).toBe(false);
