@@ -135,7 +135,8 @@ export class LiveField {
     let box: Box | null = null;
     for (const part of growth(tree, changes.tree, changes.nodes)) {
       const field = bindField(part);
-      const own = field.box && (yield* fitting(field.near(this.#tally), field.box));
+      if (!field.box || !latticeGrown(lattice, field.box)) continue;
+      const own = yield* fitting(field.near(this.#tally), field.box);
       if (own) box = unite(box ?? own, own);
     }
     return box && roomier(lattice, box);
