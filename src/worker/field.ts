@@ -85,17 +85,16 @@ function* stepping(
   cells: number,
   isDraft: boolean,
 ): Generator<number, Meshed | Located | LiveStep> {
-  if (mesh === 'worker' && name !== null && !isDraft) {
+  if (name !== null && !isDraft) {
+    if (mesh === 'page') {
+      onPage ??= { name, cells, field: new LiveField(cells, true) };
+      const step = yield* onPage.field.locating(node);
+      if (!hasCreases(step.bricks)) return step;
+      onPage = null;
+    }
     const made = yield* kept.at(name, cells).making(node);
     kept.trim();
     return made;
-  }
-  if (mesh === 'page' && name !== null && !isDraft) {
-    onPage ??= { name, cells, field: new LiveField(cells, true) };
-    const step = yield* onPage.field.locating(node);
-    if (!hasCreases(step.bricks)) return step;
-    onPage = null;
-    return yield* kept.at(name, cells).making(node);
   }
   const field = bindField(node);
   if (mesh === 'worker') return yield* polygonizing(field, cells);
