@@ -210,6 +210,8 @@ test('a body whose tree is replaced is edited, undone and redone; files are of w
     parts: [...Array.from({ length: 9 }, (_, i) => limb(10 * i)), limb(last)],
   });
   await open(page, '/', withBodies(row(90)));
+  // the picture follows a frame later
+  await expect.poll(() => triangles(page)).toBeGreaterThan(30_000);
   const full = await triangles(page);
   const after = await page.evaluate(async (node) => {
     const sketch = document.querySelector('rotund-sketch')!;
