@@ -6,6 +6,7 @@ import { cellsOfBodies, finerCells } from '../../src/document/cells.ts';
 import { isBody } from '../../src/document/document.ts';
 import { parse } from '../../src/document/serialize.ts';
 import { exporters, modelOf } from '../../src/export/index.ts';
+import type { FieldNode } from '../../src/field/node.ts';
 import { bounds } from '../../src/mesh/measure.ts';
 import { takePicture } from '../picture.ts';
 
@@ -212,4 +213,51 @@ test('a file without a view fills the window, even with what no draft shows', as
   await page.getByRole('button', { name: 'Parts, 1' }).click();
   await page.getByRole('row', { name: /^Body 1/ }).click();
   await expect(page.getByText('Hardly thicker than a cell in 1 place')).toBeVisible();
+});
+
+test('a body whose tree is replaced is edited, undone and redone; files are of what is made at once', async ({
+  page,
+}) => {
+  const limb = (x: number): FieldNode => ({
+    type: 'affine',
+    matrix: [1, 0, 0, x, 0, 1, 0, 0, 0, 0, 1, 0],
+    node: { type: 'shape', shape: { type: 'sphere', radius: 6 }, colour: [0, 0.6, 0] },
+  });
+  const row = (last: number): FieldNode => ({
+    type: 'union',
+    form: 'hard',
+    parts: [...Array.from({ length: 9 }, (_, i) => limb(10 * i)), limb(last)],
+  });
+  await open(page, '/', withBodies(row(90)));
+  // the picture follows a frame later
+  await expect.poll(() => triangles(page)).toBeGreaterThan(30_000);
+  const full = await triangles(page);
+  const after = await page.evaluate(async (node) => {
+    const sketch = document.querySelector('rotund-sketch')!;
+    const { bodies } = sketch.session;
+    const counts: number[] = [];
+    const next = () => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
+    const see = async () => {
+      // what was there before is there at once
+      await next();
+      counts.push(sketch.session.scene!.triangles);
+      await bodies.settled();
+      await next();
+      counts.push(sketch.session.scene!.triangles);
+    };
+    sketch.run({ type: 'setBody', id: 'part-1', node });
+    await see();
+    sketch.undo();
+    await see();
+    sketch.redo();
+    await see();
+    const [file] = await sketch.export('stl');
+    return { counts, bytes: Array.from(file!.bytes) };
+  }, row(96));
+  for (const count of after.counts) expect(count).toBeGreaterThan(0.8 * full);
+  expect(after.counts.at(3)).toBe(full);
+  const drawing = parse(withBodies(row(96)), 'row.rotund');
+  for (const { node } of drawing.document.parts.filter(isBody)) makeBody(node);
+  const [expected] = await exporters.stl.write(modelOf(drawing.document, drawing.name));
+  expect(Buffer.from(after.bytes).equals(expected!.bytes)).toBe(true);
 });

@@ -1,6 +1,7 @@
 /** The field page: a body at first sight, sliders that change it, errors in words, the fallback, accessibility. */
 import AxeBuilder from '@axe-core/playwright';
 import { expect, type Page, test } from '@playwright/test';
+import type { FieldNode } from '../../src/field/node.ts';
 import { readPicture } from '../picture.ts';
 
 /** what a software adapter and two cores make in no time */
@@ -83,6 +84,48 @@ test('on the graphics device it is the same body, drawn where it lies', async ({
   await page.getByRole('slider', { name: 'Radius', exact: true }).first().press('ArrowRight');
   await expect.poll(async () => (await body(page)).triangles, PATIENT).not.toBe(before.triangles);
   expect(await body(page)).toMatchObject({ onDevice: true, problem: null });
+});
+
+test('on the graphics device an edit of a body writes only what it reaches', async ({ page }) => {
+  await open(page, `/field.html${COARSE}&where=gpu`);
+  await expect.poll(async () => (await body(page)).onDevice, PATIENT).toBe(true);
+  const made = await page.evaluate(async () => {
+    const { body, stage } = document.querySelector('rotund-field')!;
+    const { queue } = stage.scene!.device!;
+    let bytes = 0;
+    queue.writeBuffer = new Proxy(queue.writeBuffer, {
+      apply(write, _, args: Parameters<GPUQueue['writeBuffer']>) {
+        if (args[0].label === 'lists') bytes += args[2].byteLength;
+        Reflect.apply(write, queue, args);
+      },
+    });
+    const row = (lean: number): FieldNode => ({
+      type: 'skels',
+      kernel: 'quartic',
+      params: { R: 4 },
+      threshold: 1,
+      skels: Array.from({ length: 14 }, (_, i) => ({
+        skel: { type: 'segment', a: [8 * i, 0, 0], b: [8 * i, 9, i === 4 ? lean : i / 3], weights: [1] },
+      })),
+    });
+    const make = async (lean: number) => {
+      bytes = 0;
+      const before = body.made!.id;
+      body.make(() => row(lean), 64, true);
+      while (body.progress !== null || body.made!.id === before || body.made!.draft)
+        await new Promise((done) => requestAnimationFrame(done));
+      return { bytes, triangles: body.made!.triangles, onDevice: 'draw' in body.made!.mesh };
+    };
+    return [await make(0), await make(0.5), await make(1), await make(0)];
+  });
+  const [whole, ...edits] = made;
+  for (const { bytes, onDevice, triangles } of edits) {
+    expect(onDevice).toBe(true);
+    expect(bytes).toBeGreaterThan(0);
+    expect(bytes).toBeLessThan(0.4 * whole!.bytes);
+    expect(Math.abs(triangles / whole!.triangles - 1)).toBeLessThan(0.05);
+  }
+  expect(edits.at(-1)!.triangles).toBe(whole!.triangles);
 });
 
 test('what has sharp edges is made on the graphics device, too', async ({ page }) => {

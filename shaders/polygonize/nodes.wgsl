@@ -1,5 +1,6 @@
 #import polygonize/near
 #import polygonize/owner
+#import bricks
 
 // The values at the nodes that each brick owns. A group is a brick.
 
@@ -11,7 +12,7 @@ fn nodes(
   @builtin(num_workgroups) groups: vec3u,
   @builtin(local_invocation_index) node: u32,
 ) {
-  let brick = brick_of(group, groups);
+  let brick = own_brick(group, groups);
   if (brick >= lattice.bricks.w || node >= 125u) {
     return;
   }

@@ -1,4 +1,5 @@
 #import polygonize/owner
+#import bricks
 
 // The values at nodes that a brick holds and does not own, from their owners.
 
@@ -11,7 +12,7 @@ fn share(
   @builtin(num_workgroups) groups: vec3u,
   @builtin(local_invocation_index) node: u32,
 ) {
-  let brick = brick_of(group, groups);
+  let brick = own_brick(group, groups);
   if (brick >= lattice.bricks.w || node >= 125u) {
     return;
   }

@@ -13,10 +13,12 @@ export const CELLS = 128;
 
 export interface Body {
   readonly mesh: FieldMesh;
-  /** along the longest side */
+  /** along the longest side; 0: the mesh is that of another tree, which this one is an edit of */
   readonly cells: number;
   /** work of the polygonizer, evaluations of the field */
   readonly evaluations: number;
+  /** something was kept of the body before an edit: not to the bit what is made at once, as files have to be */
+  readonly isEdit?: boolean;
 }
 
 const made = new WeakMap<FieldNode, Body>();
@@ -28,10 +30,14 @@ export function keepBody(node: FieldNode, body: Body): void {
   made.set(node, body);
 }
 
+export function dropBody(node: FieldNode): void {
+  made.delete(node);
+}
+
 /** Made now, if it is not there in this resolution. FieldError for a tree without a field, which no checked document has. */
 export function makeBody(node: FieldNode, cells: number = CELLS): Body {
   const known = bodyMade(node);
-  if (known?.cells === cells) return known;
+  if (known?.cells === cells && !known.isEdit) return known;
   const { mesh, evaluations } = polygonize(bindField(node), cells);
   const body = { mesh, cells, evaluations };
   keepBody(node, body);

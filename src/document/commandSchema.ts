@@ -18,6 +18,7 @@ const kinds = [
     name: v.exactOptional(v.string('a text')),
     colour: v.exactOptional(colour),
   }),
+  kind('setBody', { id: name, node }),
   kind('keep', {}),
   kind('drop', {}),
   kind('setBrush', { change: brushChange }),

@@ -127,7 +127,7 @@ const versionOf = ({ parts }: Document): Version => (parts.some(isBody) ? 2 : 1)
 
 function versionOfCommand(command: Command): Version {
   if (command.type === 'load') return versionOf(command.document);
-  return command.type === 'addBody' ? 2 : 1;
+  return command.type === 'addBody' || command.type === 'setBody' ? 2 : 1;
 }
 
 function head(format: string, version: Version, { name, view, look }: Drawing) {

@@ -8,7 +8,13 @@ import { LIMITS } from './limits.ts';
 export const SIZE = `at most ${LIMITS.strokes} strokes and bodies and ${LIMITS.samplesInAll} samples and values of bodies in all`;
 
 /** Commands after which a document can hold more than before. */
-export const GROWING: readonly Command['type'][] = ['addStroke', 'addBody', 'duplicateParts', 'load'];
+export const GROWING: readonly Command['type'][] = [
+  'addStroke',
+  'addBody',
+  'setBody',
+  'duplicateParts',
+  'load',
+];
 
 /** A value of a body takes no more of a file than a sample does. */
 export function isTooLarge({ parts, draft }: Document): boolean {

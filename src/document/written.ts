@@ -58,7 +58,8 @@ export function writtenDocument({ parts, draft, brush, tubesOnly, nextId }: Docu
 
 export function writtenCommand(command: Command): object {
   if (command.type === 'addStroke') return { type: command.type, stroke: writtenStroke(command.stroke) };
-  if (command.type === 'addBody') return { ...command, node: ordered(command.node) };
+  if (command.type === 'addBody' || command.type === 'setBody')
+    return { ...command, node: ordered(command.node) };
   if (command.type !== 'load') return command;
   const { type, name, document } = command;
   return { type, name, document: writtenDocument(document) };

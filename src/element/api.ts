@@ -4,7 +4,7 @@
  */
 import { LitElement, type PropertyDeclarations, type PropertyValues } from 'lit';
 import type { Command } from '../document/command/index.ts';
-import type { Document } from '../document/document.ts';
+import { type Document, isBody } from '../document/document.ts';
 import type { Drawing } from '../document/drawing.ts';
 import { redoable, undoable } from '../document/history.ts';
 import type { Style } from '../document/look.ts';
@@ -16,6 +16,7 @@ import { Arrival } from './arrival.ts';
 import { checkedCommands, checkedIds } from './check.ts';
 import { Declared, type DeclaredHost } from './declared.ts';
 import { changed, failed, type RotundSketchEventMap, selected } from './events.ts';
+import type { Waiting } from './needs.ts';
 import type { Hooks, Session } from './session.ts';
 import { pictureOptions, pngOf, type Shot } from './shot.ts';
 import { named } from './source.ts';
@@ -203,16 +204,21 @@ export abstract class SketchApi extends LitElement {
 
   /**
    * The kept, visible parts as files for other programs: `obj`, `glb`, `stl` or `ply`. The first file is the one asked
-   * for, others lie beside it; waits for bodies that are being made.
+   * for, others lie beside it; waits for bodies that are being made, which `waiting` may give up, and hears of.
    */
-  async export(format: Format): Promise<readonly OutFile[]> {
+  async export(format: Format, waiting: Waiting = {}): Promise<readonly OutFile[]> {
     const { exporters, modelOf } = await import('../export/index.ts');
     if (!Object.hasOwn(exporters, format)) {
       const known = Object.keys(exporters).join(', ');
       throw new FileError('export', '', `expected one of ${known}, found ${JSON.stringify(format)}`);
     }
-    await this.session.bodies.settled();
-    return exporters[format].write(modelOf(this.document, this.session.name));
+    const { document, session } = this;
+    const seen = document.parts.filter(({ hidden }) => !hidden);
+    await session.bodies.exactly(
+      seen.filter(isBody).map(({ node }) => node),
+      waiting,
+    );
+    return exporters[format].write(modelOf(document, session.name));
   }
 
   // ── what is done ────────────────────────────────────────────────────────────────────────────────────
@@ -375,6 +381,7 @@ export abstract class SketchApi extends LitElement {
   protected override willUpdate(changes: PropertyValues): void {
     if (changes.has('renderStyle')) this.declared.takeStyle();
     if (changes.has('readOnly') && this.readOnly) this.session.cancel();
+    this.session.bodies.expectsEdits = !this.readOnly;
     this.declared.followStyle();
   }
 

@@ -37,6 +37,12 @@ export function exportPanel(session: Session, actions: Actions): TemplateResult 
             ${SIZES.map(([longest, name]) => row('image', name, () => void exports.picture(longest), { off }))}
           </section>`
     }
+    ${
+      exports.share === null
+        ? nothing
+        : html`${note(FILE_WORDS.waitingFor(Math.floor(100 * exports.share)))}
+            ${row('x', FILE_WORDS.cancel, () => exports.cancel())}`
+    }
     ${off ? html`<div class="progress" role="progressbar" aria-label=${FILE_WORDS.exporting(exports.busy ?? '')}></div>` : nothing}`;
   return frame('Export', 'export', actions, body);
 }

@@ -3,6 +3,7 @@ import type { ReactiveControllerHost } from 'lit';
 import type { Exporter, Format, OutFile } from '../export/index.ts';
 import { messageOf } from './events.ts';
 import { download } from './fileAccess.ts';
+import type { Waiting } from './needs.ts';
 import { fileNameOf } from './saving.ts';
 import type { Session } from './session.ts';
 import type { Shot } from './shot.ts';
@@ -11,7 +12,7 @@ import { FILE_WORDS, WORDS } from './words.ts';
 
 export interface ExportsHost extends ReactiveControllerHost {
   readonly session: Session;
-  export(format: Format): Promise<readonly OutFile[]>;
+  export(format: Format, waiting?: Waiting): Promise<readonly OutFile[]>;
   picture(shot?: Shot): Promise<Blob>;
 }
 
@@ -25,6 +26,9 @@ export class Exports {
   formats: readonly Exporter[] | null = null;
   /** what is being written */
   busy: string | null = null;
+  /** 0–1 of the bodies that the file waits for; null: of none */
+  share: number | null = null;
+  #abort: AbortController | null = null;
   #asked = false;
   readonly #host: ExportsHost;
   readonly #voice: Voice;
@@ -53,9 +57,19 @@ export class Exports {
 
   async write({ id, label, mime }: Exporter): Promise<void> {
     await this.#make(label, async () => {
-      const files = await this.#host.export(id);
+      this.#abort = new AbortController();
+      const progress = (share: number) => {
+        this.share = share < 1 ? share : null;
+        this.#host.requestUpdate();
+      };
+      const files = await this.#host.export(id, { signal: this.#abort.signal, progress });
       return files.map(({ name, bytes }) => ({ name, blob: new Blob([bytes as BlobPart], { type: mime }) }));
     });
+  }
+
+  /** Gives up what waits for bodies. */
+  cancel(): void {
+    this.#abort?.abort();
   }
 
   /** px of the longer side; null: as large as on the screen */
@@ -81,9 +95,11 @@ export class Exports {
       this.#voice.say(FILE_WORDS.exported(files.map(({ name, blob: { size } }) => ({ name, size }))));
     } catch (error) {
       this.#voice.say(FILE_WORDS.notExported(what));
-      this.#voice.notify(messageOf(error));
+      if (!this.#abort?.signal.aborted) this.#voice.notify(messageOf(error));
     } finally {
       this.busy = null;
+      this.share = null;
+      this.#abort = null;
       this.#host.requestUpdate();
     }
   }

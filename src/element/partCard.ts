@@ -6,7 +6,7 @@ import { bodyCounts } from '../document/bodyCounts.ts';
 import { CLAY, solidOf } from '../document/build.ts';
 import { LONGEST_NAME } from '../document/command/renamePart.ts';
 import { colourOf, isBody, type Part, RADIUS_RANGE, type SurfacePart } from '../document/document.ts';
-import { DRAFT } from './bodies.ts';
+import { DRAFT } from '../field/fieldWork.ts';
 import { colourName, spheres } from './colours.ts';
 import { radiusToSlider, sliderToRadius } from './controls.ts';
 import type { Session } from './session.ts';

@@ -153,6 +153,7 @@ export class Session implements Bench, Viewport {
   #replaced(before: Document, commands: readonly Command[], cause: Cause): void {
     this.update();
     if (this.document === before) return;
+    if (commands.some(({ type }) => type === 'load')) this.bodies.forget();
     this.wantBodies();
     this.select(this.selection);
     this.#hooks.committed(commands, cause);
@@ -161,9 +162,8 @@ export class Session implements Bench, Viewport {
   /** Those that are seen are made beside the page. */
   wantBodies(): void {
     const seen = this.document.parts.filter((part) => !part.hidden).filter(isBody);
-    const nodes = seen.map(({ node }) => node);
-    if (nodes.length === 0) this.bodies.want([]);
-    else this.bodies.want(nodes, cellsOfBodies(this.document));
+    if (seen.length === 0) this.bodies.want([]);
+    else this.bodies.want(seen, cellsOfBodies(this.document));
   }
 
   #bodyNews(news: News): void {

@@ -123,6 +123,8 @@ export const FILE_WORDS = {
   exporting: (what: string) => `Writing ${what}`,
   exported: (files: readonly { readonly name: string; readonly size: number }[]) =>
     `${files.map(({ name, size }) => `${name}, ${bytes(size)}`).join('; ')}`,
+  waitingFor: (percent: number) => `Making bodies as fine as files have them, ${percent} %`,
+  cancel: 'Cancel',
   notExported: (what: string) => `${what} was not written`,
   noForms: 'Nothing to export yet: keep a form first.',
   draftOut: 'The unfinished form is left out until you keep it.',

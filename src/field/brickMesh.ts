@@ -17,7 +17,7 @@ import { AMBIGUOUS, CubeLoops } from './cubeLoops.ts';
 import { CROSSING_FLOPS, cubicCrossing, EdgePoint } from './edgePoint.ts';
 import { CORNERS, SIDE } from './hermite.ts';
 import { isolatedSpots } from './isolated.ts';
-import { BRICK } from './lattice.ts';
+import { BRICK, nodesBefore } from './lattice.ts';
 import { type LoopPoint, LoopPoints } from './loopPoints.ts';
 import { eachTriangle } from './loopTriangles.ts';
 import { meanNormals } from './meanNormals.ts';
@@ -46,6 +46,8 @@ export class BrickMesh {
   readonly #values: BrickValues;
   readonly #tally: Tally;
   #before: BrickMesh | null;
+  /** nodes of this lattice before the first of the one before */
+  readonly #more: Vec3;
   readonly #store = new VertexStore();
   readonly #indices: number[] = [];
   readonly #paint = new Float64Array(3);
@@ -68,6 +70,7 @@ export class BrickMesh {
     this.#values = values;
     this.#tally = tally;
     this.#before = before;
+    this.#more = before ? nodesBefore(before.#bricks.lattice, bricks.lattice) : [0, 0, 0];
     this.#brick = bricks.active[0]!;
     this.#fans = new CreaseFans(this.#store.branches, this.#triangle);
     this.#points = new LoopPoints(this.#store, bricks.lattice.step, before === null ? null : before.#points);
@@ -168,15 +171,18 @@ export class BrickMesh {
   #fill(ring: readonly number[], c: number, loop: number): void {
     const isTwisted = this.#loops.isTwisted[loop] === 1;
     const { near } = this.#brick;
-    const key = loop + 4 * this.#number(c);
     const isSame = this.#isKept && this.#store.areTaken(ring);
-    const fan = near.branches > 1 ? this.#points.creased(near, this.#values.whole, ring, key, isSame) : null;
+    const key = {
+      now: loop + 4 * this.#number(c),
+      before: isSame && this.#before ? loop + 4 * this.#numberIn(this.#before, c) : null,
+    };
+    const fan = near.branches > 1 ? this.#points.creased(near, this.#values.whole, ring, key) : null;
     if (fan) {
       this.#fans.add(ring, fan);
       return;
     }
     const search = () => this.#middle(ring, c);
-    const middle = isTwisted ? this.#points.remembered(`${key}`, isSame, search) : null;
+    const middle = isTwisted ? this.#points.remembered(key, 'middle', search) : null;
     eachTriangle(ring, middle && this.#addMiddle(ring, middle), this.#store.positions, this.#triangle);
   }
 
@@ -208,7 +214,9 @@ export class BrickMesh {
     const known = this.#store.onEdge(key);
     if (known !== undefined) return known;
     const ends = [this.#own[from]!, this.#own[from + AXES[axis]!]!] as const;
-    const taken = this.#isKept && this.#before ? this.#store.take(this.#before.#store, key, ends) : null;
+    const before = this.#isKept ? this.#before : null;
+    const taken =
+      before && this.#store.take(before.#store, axis + 3 * this.#numberIn(before, from), key, ends);
     return taken ?? this.#store.addOnEdge(key, ends, this.#placed(from, axis, ends));
   }
 
@@ -279,6 +287,14 @@ export class BrickMesh {
     const [x, y, z] = this.#node(c);
     const { counts } = this.#bricks.lattice;
     return x + counts[0] * (y + counts[1] * z);
+  }
+
+  /** What it was before an edit, since when the lattice may have grown. */
+  #numberIn(before: BrickMesh, c: number): number {
+    const [x, y, z] = this.#node(c);
+    const [dx, dy, dz] = this.#more;
+    const { counts } = before.#bricks.lattice;
+    return x - dx + counts[0] * (y - dy + counts[1] * (z - dz));
   }
 
   #at(c: number): Vec3 {

@@ -56,7 +56,8 @@ const HALF = Array.from(
 /** Surely on its side of 0. */
 const away = (value: number, slack: number): number =>
   value > 0 ? Math.max(value, 2 * slack + LEAST) : Math.min(value, -2 * slack - LEAST);
-const LEAST = 1e-30;
+/** of a value of which only the sign is known */
+export const LEAST = 1e-30;
 
 export class BrickNodes implements Corners {
   readonly #lattice: Lattice;

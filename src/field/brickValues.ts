@@ -7,18 +7,16 @@
  * is proven, says otherwise, it is believed.
  */
 
-import { BEFORE, BrickNodes, inCommon, type LeafNodes } from './brickNodes.ts';
+import { BEFORE, BrickNodes, inCommon, LEAST, type LeafNodes } from './brickNodes.ts';
 import { around, type Brick, type Bricks, INSIDE, OUTSIDE } from './bricks.ts';
 import { CORNERS, SIDE } from './hermite.ts';
-import { BRICK } from './lattice.ts';
+import { BRICK, type Lattice, nodesBefore } from './lattice.ts';
 import type { Near, Tally } from './near.ts';
 
 /** In place of what is inside at the lattice's border: outside, for nothing is known beyond. */
 export const CUT = -1e300;
 /** of the 27 around a brick, itself */
 const MIDDLE = 13;
-/** of a sign that is known and nothing else */
-const LEAST = 1e-30;
 
 const SAME_CORNERS = inCommon(SIDE);
 
@@ -57,6 +55,7 @@ export class BrickValues {
   /** whether the field is inside at each side of the lattice: −x, x, −y, y, −z, z */
   readonly leaves = [false, false, false, false, false, false];
   #before: Before | null;
+  readonly #hasGrown: boolean;
   readonly #isLive: boolean;
 
   /** `before`: what may be taken over. `isLive`: nodes are kept for the next edit. */
@@ -69,6 +68,7 @@ export class BrickValues {
   ) {
     this.#before = before;
     this.#isLive = isLive;
+    this.#hasGrown = before !== null && before.values.#bricks.lattice !== bricks.lattice;
     this.whole = whole;
     this.#bricks = bricks;
     this.#nodes = new BrickNodes(bricks.lattice, tally);
@@ -117,8 +117,8 @@ export class BrickValues {
     const common = SAME_CORNERS[c]!.find((same) => this.#around[same.brick]! >= 0);
     const place = this.#around[common?.brick ?? MIDDLE]!;
     const owner = active[place]!;
-    const then = this.#keptOf(place) && this.#before!.values.#exact.get(key);
-    if (then) {
+    const then = this.#keptOf(place) ? this.#before!.values.#exactAt(lattice, x, y, z) : undefined;
+    if (then !== undefined) {
       this.#exact.set(key, then);
       return then;
     }
@@ -128,6 +128,13 @@ export class BrickValues {
     return value;
   }
 
+  /** At a node of a lattice that may have grown since; undefined: it was not asked for. */
+  #exactAt(now: Lattice, x: number, y: number, z: number): number | undefined {
+    const { lattice } = this.#bricks;
+    const [dx, dy, dz] = nodesBefore(lattice, now);
+    return this.#exact.get(x - dx + lattice.counts[0] * (y - dy + lattice.counts[1] * (z - dz)));
+  }
+
   /** What was before an edit. */
   forget(): void {
     this.#before = null;
@@ -135,7 +142,10 @@ export class BrickValues {
 
   #keptOf(place: number): Filled | null {
     const then = this.#before?.placeOf(place) ?? -1;
-    return then < 0 ? null : this.#before!.values.#filled[then]!;
+    if (then < 0) return null;
+    const kept = this.#before!.values.#filled[then]!;
+    // what was cut off at the border of a lattice that has grown is not known
+    return this.#hasGrown && kept.values.includes(CUT) ? null : kept;
   }
 
   #enter({ i, j, k }: Brick, own: LeafNodes): void {

@@ -7,6 +7,7 @@
  * they save values) and of eight (more values).
  */
 import type { Vec3 } from '../math/vec.ts';
+import type { Box } from '../skeleton/skeleton.ts';
 import { BRICK, type Lattice } from './lattice.ts';
 import type { Near } from './near.ts';
 
@@ -35,7 +36,7 @@ export interface Bricks {
   /** that may hold surface, by ascending number i + counts[0] (j + counts[1] k) */
   readonly active: readonly Brick[];
   /** of every brick its place in `active`, or OUTSIDE or INSIDE */
-  readonly grid: Int32Array;
+  readonly grid: Int32Array<ArrayBuffer>;
 }
 
 interface Cube {
@@ -48,7 +49,7 @@ interface Cube {
 
 /** `whole`: the field everywhere. The lattice has whole bricks. Yields what share of the levels is done. */
 export function* culling(whole: Near, lattice: Lattice): Generator<number, Bricks> {
-  const counts = lattice.counts.map((nodes) => (nodes - 1) / BRICK) as unknown as Vec3;
+  const counts = countsOf(lattice);
   const grid = new Int32Array(counts[0] * counts[1] * counts[2]).fill(OUTSIDE);
   let size = 1;
   while (size < Math.max(...counts)) size *= 2;
@@ -58,16 +59,24 @@ export function* culling(whole: Near, lattice: Lattice): Generator<number, Brick
     const next: Cube[] = [];
     for (const [n, { i, j, k, outer }] of cubes.entries()) {
       const near = cubeWithin(outer, lattice, i, j, k, size);
-      if (near.high <= 0) continue;
-      const isInside = near.low > 0 && !isAtBorder(counts, i, j, k, size);
-      if (isInside) fillInside(grid, counts, i, j, k, size);
-      else if (size === 1) active.push({ i, j, k, near });
-      else next.push(...eighths(i, j, k, size / 2, near, counts));
+      const state = stateOf(near, counts, i, j, k, size);
+      if (state === INSIDE) fillInside(grid, counts, i, j, k, size);
+      else if (state !== OUTSIDE && size === 1) active.push({ i, j, k, near });
+      else if (state !== OUTSIDE) {
+        for (const [x, y, z] of eighths(i, j, k, size / 2, counts))
+          next.push({ i: x, j: y, k: z, outer: near });
+      }
       if (n % BATCH === BATCH - 1) yield (n / cubes.length + 1) / (2 * size);
     }
     if (size === 1) break;
     cubes = next;
   }
+  return inOrder(lattice, active, grid);
+}
+
+/** With their places in the grid, where all else is told already. */
+export function inOrder(lattice: Lattice, active: Brick[], grid: Int32Array<ArrayBuffer>): Bricks {
+  const counts = countsOf(lattice);
   active.sort((a, b) => numberOf(counts, a) - numberOf(counts, b));
   active.forEach((brick, place) => {
     grid[numberOf(counts, brick)] = place;
@@ -75,9 +84,29 @@ export function* culling(whole: Near, lattice: Lattice): Generator<number, Brick
   return { lattice, counts, active, grid };
 }
 
+/** Bricks along x, y, z. */
+export const countsOf = ({ counts }: Lattice): Vec3 => [
+  (counts[0] - 1) / BRICK,
+  (counts[1] - 1) / BRICK,
+  (counts[2] - 1) / BRICK,
+];
+
 /** Whether smooth fields meet in it, in edges. */
 export const hasCreases = (active: readonly { readonly near: Pick<Near, 'branches'> }[]): boolean =>
   active.some(({ near }) => near.branches > 1);
+
+/** Around all that may hold surface; of nothing the origin of the lattice. */
+export function brickBox({ lattice: { origin, step }, active }: Pick<Bricks, 'lattice' | 'active'>): Box {
+  const [min, max] = [[...origin], [...origin]] as [[number, number, number], [number, number, number]];
+  active.forEach(({ i, j, k }, place) => {
+    [i, j, k].forEach((at, axis) => {
+      const low = origin[axis]! + at * BRICK * step;
+      min[axis] = place === 0 ? low : Math.min(min[axis]!, low);
+      max[axis] = place === 0 ? low + BRICK * step : Math.max(max[axis]!, low + BRICK * step);
+    });
+  });
+  return { min, max };
+}
 
 type At = Pick<Brick, 'i' | 'j' | 'k'>;
 
@@ -105,21 +134,24 @@ export function cubeWithin(
   );
 }
 
-function eighths(i: number, j: number, k: number, half: number, outer: Near, [nx, ny, nz]: Vec3): Cube[] {
-  return Array.from({ length: 8 }, (_, corner) => ({
-    i: i + (corner & 1) * half,
-    j: j + ((corner >> 1) & 1) * half,
-    k: k + (corner >> 2) * half,
-    outer,
-  })).filter((cube) => cube.i < nx && cube.j < ny && cube.k < nz);
+/** The first bricks of those parts of a cube, of `half` bricks each, that are not beyond the lattice. */
+export function eighths(i: number, j: number, k: number, half: number, counts: Vec3): readonly Vec3[] {
+  const parts = Array.from(
+    { length: 8 },
+    (_, corner): Vec3 => [i + (corner & 1) * half, j + ((corner >> 1) & 1) * half, k + (corner >> 2) * half],
+  );
+  return parts.filter((part) => part.every((at, axis) => at < counts[axis]! && at + half > 0));
 }
 
-/** Nothing is known beyond: what is inside there is cut off. */
-export function isAtBorder(counts: Vec3, i: number, j: number, k: number, size: number): boolean {
-  return [i, j, k].some((at, axis) => at === 0 || at + size >= counts[axis]!);
+/** OUTSIDE, INSIDE, or 0 where a cube may hold surface. Nothing is known beyond the lattice: what is inside at its border is cut off. */
+export function stateOf(near: Near, counts: Vec3, i: number, j: number, k: number, size: number): number {
+  if (near.high <= 0) return OUTSIDE;
+  const isAtBorder = [i, j, k].some((at, axis) => at <= 0 || at + size >= counts[axis]!);
+  return near.low > 0 && !isAtBorder ? INSIDE : 0;
 }
 
-function fillInside(
+/** A cube of the lattice. */
+export function fillInside(
   grid: Int32Array,
   [nx, ny, nz]: Vec3,
   i: number,

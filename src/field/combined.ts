@@ -60,12 +60,9 @@ class Combined implements TreeField {
   }
 
   near(tally: Tally): Near {
-    const [branch, leaf] = [tally.branches, tally.leaves];
+    const node = tally.set();
     const parts = this.#parts.map((part) => part.near(tally));
-    return new NearSet(parts, null, this.#operation, this.#kind, {
-      span: [branch, tally.branches],
-      leaves: [leaf, tally.leaves],
-    });
+    return new NearSet(parts, null, this.#operation, this.#kind, node);
   }
 
   boxAbove(level: number): Box | null {

@@ -4,7 +4,7 @@
  * crease, the crossing is looked for along the edge (surfacePoint.ts).
  */
 import type { Vec3 } from '../math/vec.ts';
-import { type Crossed, surfacePoint } from './surfacePoint.ts';
+import { type Crossed, kept, surfacePoint } from './surfacePoint.ts';
 
 /** parts of the edge: a longer first step is none of Newton's, and after a longer one another follows */
 const FARTHEST = 0.15;
@@ -14,8 +14,6 @@ const STEPS = 3;
 const UNSURE = 0.12;
 /** of the way to the nearer end: less than a half, for edges that meet there */
 const BESIDE = 0.49;
-/** parts of the edge that are kept from its ends: edges that meet at a node must not put their vertices into one place */
-const ENDS = 1e-4;
 
 /** Position and unit normal, out of where the field is positive; the normal is 0 where the field has no slope. */
 export class EdgePoint {
@@ -109,8 +107,7 @@ export function cubicCrossing(v0: number, v1: number, v2: number, v3: number, fr
     }
     u = low + ((high - low) * atLow) / (atLow - atHigh);
   }
-  const t = u - from;
-  return t > ENDS ? (t < 1 - ENDS ? t : 1 - ENDS) : ENDS;
+  return kept(u - from);
 }
 
 /** additions and products of that */

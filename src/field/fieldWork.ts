@@ -3,7 +3,10 @@ import type { Box } from '../skeleton/skeleton.ts';
 import type { FieldMesh } from './brickMesh.ts';
 import type { Lattice } from './lattice.ts';
 import type { FieldNode } from './node.ts';
-import type { PackedBricks } from './packedBricks.ts';
+import type { PackedBricks, PackedEdit } from './packedBricks.ts';
+
+/** Cells of what is to be seen at once: 20,000 values, some 20 ms for a dozen skels. */
+export const DRAFT = 28;
 
 /** A body that is wanted; one that was wanted before is given up. */
 export interface Make {
@@ -15,8 +18,13 @@ export interface Make {
   readonly resolution: number;
   /** who makes the mesh: the worker, or the page on its graphics device, which gets bricks for it */
   readonly mesh: 'worker' | 'page';
-  /** Of the body before what stays may be kept, on its lattice: quicker, but not to the bit what is made anew, as files have to be. */
-  readonly isEdited: boolean;
+  /**
+   * Under which name the body is kept, so that a next one of that name is an edit of it: quicker, but not to the bit what is made at once;
+   * null: neither, as files have to be.
+   */
+  readonly name: string | null;
+  /** of a page that makes the mesh: it still has what was handed to it last, so that edits of that will do */
+  readonly isHeld?: boolean;
 }
 
 /** Nothing is wanted any more, until the next `Make`. */
@@ -48,7 +56,11 @@ interface Step {
 export interface Located extends Step {
   readonly type: 'bricks';
   readonly node: FieldNode;
-  readonly bricks: PackedBricks;
+  readonly lattice: Lattice;
+  /** all of them; or, of a body that is kept, what became of those that were handed over before */
+  readonly bricks: PackedBricks | PackedEdit;
+  /** edits of them may follow */
+  readonly isKept: boolean;
   /** around all that is inside, mm */
   readonly box: Box;
   /** what each vertex adds to the work */
@@ -59,6 +71,8 @@ export interface Made extends Step {
   readonly type: 'made';
   readonly mesh: FieldMesh;
   readonly lattice: Lattice;
+  /** something was kept of the body before */
+  readonly isEdit: boolean;
 }
 
 /** The tree has no field or no surface, in words with the place. */

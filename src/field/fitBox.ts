@@ -50,23 +50,6 @@ export function* fitting(whole: Near, box: Box): Generator<number, Box | null> {
   return left;
 }
 
-/** Whether nothing of a body in `box` is outside of `limits`, as far as cubes of `fine` mm tell. */
-export function isWithin(whole: Near, box: Box, limits: Box, fine: number): boolean {
-  const half = longest(box) / 2;
-  const first = cubeOf(whole, middleOf(box), half, FIRST_MISSED * half);
-  const open = first ? [first] : [];
-  for (let cube = open.pop(); cube; cube = open.pop()) {
-    const { centre, half: by } = cube;
-    const isInside = centre.every((x, axis) => x - by >= limits.min[axis]! && x + by <= limits.max[axis]!);
-    if (isInside) continue;
-    // all of it may be beyond what the body's own box says
-    if (centre.some((x, axis) => x - by > box.max[axis]! || x + by < box.min[axis]!)) continue;
-    if (2 * by <= fine || cube.near.low > 0 || open.length > MOST_CUBES) return false;
-    open.push(...partsOf(cube));
-  }
-  return true;
-}
-
 /** Of the octree; what was found towards one side is there for the others. */
 interface Cube {
   readonly centre: Vec3;

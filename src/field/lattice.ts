@@ -33,6 +33,37 @@ export function latticeAround({ min, max }: Box, resolution: number): Lattice {
   };
 }
 
+/** A lattice with more bricks around it. */
+export interface Grown {
+  readonly lattice: Lattice;
+  /** how many of them come before its first one, along x, y, z */
+  readonly before: Vec3;
+}
+
+/** The same nodes and as many bricks more as it takes to hold the box; null where it does. */
+export function latticeGrown({ origin, step, counts }: Lattice, { min, max }: Box): Grown | null {
+  const edge = BRICK * step;
+  const bricks = (length: number) => Math.max(0, Math.ceil(length / edge));
+  const end = (axis: 0 | 1 | 2) => origin[axis] + (counts[axis] - 1) * step;
+  const low = (axis: 0 | 1 | 2) => bricks(origin[axis] - (min[axis] - AIR * step));
+  const high = (axis: 0 | 1 | 2) => bricks(max[axis] + AIR * step - end(axis));
+  const before: Vec3 = [low(0), low(1), low(2)];
+  const after: Vec3 = [high(0), high(1), high(2)];
+  if (![...before, ...after].some((more) => more > 0)) return null;
+  const first = (axis: 0 | 1 | 2) => origin[axis] - before[axis] * edge;
+  const count = (axis: 0 | 1 | 2) => counts[axis] + BRICK * (before[axis] + after[axis]);
+  return {
+    lattice: { origin: [first(0), first(1), first(2)], step, counts: [count(0), count(1), count(2)] },
+    before,
+  };
+}
+
+/** How many nodes of `after` come before the first of `before`, along x, y, z: both have the same nodes, as far as they go. */
+export function nodesBefore(before: Lattice, after: Lattice): Vec3 {
+  const more = (axis: 0 | 1 | 2) => Math.round((before.origin[axis] - after.origin[axis]) / after.step);
+  return [more(0), more(1), more(2)];
+}
+
 /**
  * Over the cube of `half` mm to all sides of the origin, for bodies that go on beyond it: they are cut off half a cell within
  * a lattice, which is where the cube ends, or a quarter of a cell farther, so that no node is in the middle.
@@ -48,8 +79,4 @@ const wholeBricks = (cells: number): number => BRICK * Math.ceil(cells / BRICK);
 
 function cellsOf(resolution: number): number {
   return Math.min(Math.max(Math.round(resolution), RESOLUTION.min), RESOLUTION.max) || RESOLUTION.min;
-}
-
-export function nodeCount({ counts }: Lattice): number {
-  return counts[0] * counts[1] * counts[2];
 }

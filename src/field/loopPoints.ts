@@ -21,6 +21,12 @@ const TURNED = 0.05;
 const APART = 1e-3;
 const TRIES = 8;
 
+/** The number of a loop; and that before an edit where nothing changed, null where something did. */
+export interface LoopKey {
+  readonly now: number;
+  readonly before: number | null;
+}
+
 /** On a crease, or in the middle of a loop, with the one normal there. */
 export type LoopPoint = Crease;
 
@@ -45,17 +51,17 @@ export class LoopPoints {
     this.#before = null;
   }
 
-  /** What `search` finds, or found before where nothing changed since. */
-  remembered(key: string, isSame: boolean, search: () => LoopPoint | null): LoopPoint | null {
-    const before = this.#before;
-    const known = isSame && before ? before.#found.get(key) : undefined;
+  /** What `search` finds, or found before where nothing changed since. `what`: of several points that the loop may have. */
+  remembered({ now, before }: LoopKey, what: string, search: () => LoopPoint | null): LoopPoint | null {
+    const then = before === null ? null : this.#before;
+    const known = then ? then.#found.get(`${before} ${what}`) : undefined;
     const found = known === undefined ? search() : known;
-    this.#found.set(key, found);
+    this.#found.set(`${now} ${what}`, found);
     return found;
   }
 
   /** The copies of a point on the crease, or at the corner, that the loop is around; null where there is none. */
-  creased(near: Near, whole: Near, ring: readonly number[], key: number, isSame: boolean): Fan | null {
+  creased(near: Near, whole: Near, ring: readonly number[], key: LoopKey): Fan | null {
     const store = this.#store;
     const all = store.branches;
     const branches = [...new Set(ring.map((vertex) => all[vertex]!))].sort((a, b) => a - b);
@@ -65,13 +71,13 @@ export class LoopPoints {
       const found = creaseNear(near, of, middle, REACH * this.#step);
       return found && this.#isOn(near, whole, found.at, middle) ? found : null;
     };
-    const found = this.remembered(`${key} all`, isSame, search(branches));
+    const found = this.remembered(key, 'all', search(branches));
     if (found) return this.#fanOf(ring, branches, found, middle);
     // sides that meet in no point nearby: the crease of the two that most of the loop is on
     if (branches.length === 2) return null;
     const count = (branch: number) => ring.filter((vertex) => all[vertex] === branch).length;
     const two = branches.toSorted((a, b) => count(b) - count(a)).slice(0, 2);
-    const crease = this.remembered(`${key} two`, isSame, search(two));
+    const crease = this.remembered(key, 'two', search(two));
     if (!crease) return null;
     const normals = branches.map((branch) => crease.normals[two.indexOf(branch)] ?? crease.normals[0]!);
     return this.#fanOf(ring, branches, { at: crease.at, normals }, middle);

@@ -8,13 +8,38 @@ import type { FieldValue } from '../skeleton/skeleton.ts';
 import type { Taylor } from '../skeleton/taylor.ts';
 import type { BoundTerm } from './boundTerm.ts';
 import type { Colour } from './node.ts';
+import type { Numbers } from './numbered.ts';
 
-/** Counts what is asked, in values of one skel (skeleton/work.ts), and numbers leaves and branches. One for a whole tree. */
+/**
+ * Counts what is asked, in values of one skel (skeleton/work.ts), and numbers the nodes of a tree: leaves and sets, as numbered.ts does.
+ * One for a whole tree.
+ */
 export class Tally {
   work = 0;
+  /** that were numbered */
   leaves = 0;
-  branches = 0;
+  sets = 0;
+  /** of a tree that was edited; null: leaves 0, 1, …, sets −1, −2, … */
+  numbers: Numbers | null = null;
+
+  leaf(): number {
+    const at = this.leaves++;
+    return this.numbers?.leaves[at] ?? at;
+  }
+
+  set(): number {
+    const at = this.sets++;
+    return this.numbers?.sets[at] ?? -1 - at;
+  }
 }
+
+/** faces of a shape at most */
+const FACES = 8;
+
+/** The number of a smooth field: of a node, or of a face of one. */
+export const branchOf = (node: number, face = 0): number => FACES * node + face;
+/** Whether it is a face of that node. */
+export const isFaceOf = (node: number, branch: number): boolean => Math.floor(branch / FACES) === node;
 
 export interface Near {
   /** all values in the cube lie between them */
@@ -26,10 +51,8 @@ export interface Near {
   readonly asked: number;
   /** how many smooth fields its values come from; they change at creases */
   readonly branches: number;
-  /** the first of their numbers in the tree, and beyond the last, those that were left out among them */
-  readonly span: readonly [first: number, end: number];
-  /** the same of its leaves */
-  readonly leaves: readonly [first: number, end: number];
+  /** its number in the tree, which it keeps through edits */
+  readonly node: number;
   /** the colour that it has everywhere; null where that is not known */
   readonly plain: Colour | null;
   value(x: number, y: number, z: number): number;
@@ -38,6 +61,8 @@ export interface Near {
   colour(x: number, y: number, z: number, out: Float64Array): number;
   /** The number of the smooth field that the value is from, or would be from if it were 0. */
   branch(x: number, y: number, z: number): number;
+  /** Whether that is one of its smooth fields. */
+  holds(branch: number): boolean;
   /** Value and gradient of that field, also beyond the crease. */
   onBranch(branch: number, x: number, y: number, z: number, out: FieldValue): void;
   /** In a cube within this one, about (x, y, z) with edges of 2 `half`; surfaces may be off by `missed` mm, nearly. */
@@ -50,10 +75,10 @@ export interface Near {
   /** of its values near the surface, a millimetre, nearly */
   readonly steep: number;
   /**
-   * By how much its values in the cube may differ from those of `newer`, the same tree after changes, in a cube around; Infinity where
-   * that is not known. `stale`: by how much this field may be off already.
+   * By how much changes may move its values in the cube, at most; Infinity where that is not known. `newer`: the same tree after them, in a
+   * cube around. What earlier changes have moved them by comes on top.
    */
-  effect(newer: Near, changes: Changes, x: number, y: number, z: number, half: number, stale: number): number;
+  effect(newer: Near, changes: Changes, x: number, y: number, z: number, half: number): number;
   /** Every leaf of the tree once, also those that were left out. */
   eachLeaf(visit: (leaf: NearLeaf) => void): void;
   /** All leaves so that the whole is far above or below 0. */
@@ -74,10 +99,10 @@ export interface Corners {
   halved(near: Near, missed: number, out: Float64Array): number;
 }
 
-/** What became of leaves, by their numbers; those that are not there are as they were. */
+/** What became of nodes, by their numbers; those that are not there are as they were. Sets are there if anything within them is. */
 export type Changes = ReadonlyMap<number, LeafChange>;
 
-/** Terms that went and terms that came; null: it is another leaf. */
+/** Terms of a sum that went and terms that came; null: it is another leaf, or a set. */
 export type LeafChange = {
   readonly removed: readonly BoundTerm[];
   readonly added: readonly BoundTerm[];
@@ -87,7 +112,7 @@ export type Way = 'low' | 'high';
 
 /** A sum or a shape as it is within a cube. */
 export interface NearLeaf {
-  /** its number, in the order of the tree */
+  /** its number, without edits in the order of the tree */
   readonly leaf: number;
   /** far from 0, so that others decide; null where it counts */
   readonly dropped: Way | null;

@@ -7,7 +7,15 @@ import type { FieldValue } from '../skeleton/skeleton.ts';
 import { colourOf, combinedValue, evaluateOf, type Kind, Scratch, signsOf } from './fold.ts';
 import { hardUnion } from './hardUnion.ts';
 import { CORNERS } from './hermite.ts';
-import type { Changes, Corners, Near, NearLeaf, Way } from './near.ts';
+import {
+  branchOf,
+  type Changes,
+  type Corners,
+  isFaceOf,
+  type Near,
+  type NearLeaf,
+  type Way,
+} from './near.ts';
 import { type Colour, commonColour } from './node.ts';
 import type { Operation } from './operation.ts';
 
@@ -33,8 +41,7 @@ export class NearSet implements Near {
   readonly error: number;
   readonly asked: number;
   readonly branches: number;
-  readonly span: readonly [first: number, end: number];
-  readonly leaves: readonly [first: number, end: number];
+  readonly node: number;
   readonly steep: number;
   readonly plain: Colour | null;
   readonly #parts: readonly Near[];
@@ -48,10 +55,9 @@ export class NearSet implements Near {
     dropped: AllDropped | null,
     operation: Operation,
     kind: Kind,
-    { span, leaves }: Pick<Near, 'span' | 'leaves'>,
+    node: number,
   ) {
-    this.span = span;
-    this.leaves = leaves;
+    this.node = node;
     this.steep = parts.reduce((least, { steep }) => Math.min(least, steep), Infinity);
     this.#parts = parts;
     this.#dropped = dropped;
@@ -80,7 +86,7 @@ export class NearSet implements Near {
   }
 
   branch(x: number, y: number, z: number): number {
-    if (!this.#operation.isExtreme) return this.span[0];
+    if (!this.#operation.isExtreme) return branchOf(this.node);
     if (this.#parts.length === 1) return this.#parts[0]!.branch(x, y, z);
     const [outer, sign] = signsOf(this.#kind);
     let [best, most] = [this.#parts[0]!, -Infinity];
@@ -91,65 +97,69 @@ export class NearSet implements Near {
     return best.branch(x, y, z);
   }
 
+  holds(branch: number): boolean {
+    if (!this.#operation.isExtreme) return isFaceOf(this.node, branch);
+    return this.#parts.some((part) => part.holds(branch));
+  }
+
   onBranch(branch: number, x: number, y: number, z: number, out: FieldValue): void {
-    const part = this.#operation.isExtreme && this.#parts.find(({ span }) => branch < span[1]);
-    if (!part) {
+    const at = this.#operation.isExtreme ? this.#parts.findIndex((part) => part.holds(branch)) : -1;
+    if (at < 0) {
       this.evaluate(x, y, z, out);
       return;
     }
-    part.onBranch(branch, x, y, z, out);
+    this.#parts[at]!.onBranch(branch, x, y, z, out);
     // what is taken away is turned inside out
-    if (this.#kind === 'subtraction' && part.span[0] > this.span[0]) {
+    if (this.#kind === 'subtraction' && at > 0) {
       for (let i = 0; i < 4; i++) out[i] = -out[i]!;
     }
   }
 
   within(x: number, y: number, z: number, half: number, missed: number): Near {
     const parts = this.#parts.map((part, i) => part.within(x, y, z, half, missed * this.#shareOf(i)));
+    // of a + b + √(a² + b²) no part goes without a trace: what is b < 0 moves the value by some a²/2|b|, though never its sign
     if (this.#operation !== hardUnion) {
-      return new NearSet(parts, this.#dropped, this.#operation, this.#kind, this);
+      return new NearSet(parts, this.#dropped, this.#operation, this.#kind, this.node);
     }
     const { kept, dropped } = largestOf(parts, this.#kind);
     const all = dropped.length > 0 ? { here: dropped, outer: this.#dropped } : this.#dropped;
-    return new NearSet(kept, all, this.#operation, this.#kind, this);
+    return new NearSet(kept, all, this.#operation, this.#kind, this.node);
   }
 
-  effect(
-    newer: Near,
-    changes: Changes,
-    x: number,
-    y: number,
-    z: number,
-    half: number,
-    stale: number,
-  ): number {
-    if (!isChanged(this, changes)) return 0;
-    if (!(newer instanceof NearSet)) return Infinity;
-    const [, sign] = signsOf(this.#kind);
-    const unchanged = this.#parts.filter((part) => !isChanged(part, changes));
-    const least = unchanged.reduce((most, part) => Math.max(most, this.#turnedRange(part)[0]!), -Infinity);
-    const effects = this.#parts.map((part) => {
-      const other = isChanged(part, changes) ? newer.#part(part) : null;
-      if (other) return part.effect(other, changes, x, y, z, half, stale);
-      return isChanged(part, changes) ? Infinity : 0;
+  effect(newer: Near, changes: Changes, x: number, y: number, z: number, half: number): number {
+    if (!changes.has(this.node)) return 0;
+    if (!(newer instanceof NearSet) || newer.node !== this.node) return Infinity;
+    const pairs = this.#parts.map((part) => {
+      const isSame = !changes.has(part.node);
+      return { part, isSame, other: isSame ? null : newer.#part(part.node) };
     });
-    // what did not matter may do now
-    for (const { part } of each(this.#dropped)) {
-      const other = isChanged(part, changes) ? newer.#part(part) : null;
-      if (!other) continue;
-      const high = turned(other.within(x, y, z, half, 0), sign)[1]!;
-      if (!(high + stale < least)) return Infinity;
-    }
-    return this.#together(effects);
+    const effects = pairs.map(({ part, isSame, other }) => {
+      if (other) return part.effect(other, changes, x, y, z, half);
+      return isSame || this.#operation === hardUnion ? 0 : Infinity;
+    });
+    const gone = pairs.map(({ isSame, other }) => !isSame && !other);
+    return this.#together([...effects, this.#byCome(newer, changes, x, y, z, half)]) + this.#byGone(gone);
   }
 
-  #part({ leaves }: Near): Near | null {
-    return this.#parts.find((part) => part.leaves[0] === leaves[0]) ?? null;
-  }
-
-  #turnedRange(part: Near): Float64Array {
+  /** By what did not matter here or was not there: by as much as it may be above the field that was. */
+  #byCome(newer: NearSet, changes: Changes, x: number, y: number, z: number, half: number): number {
     const [outer, sign] = signsOf(this.#kind);
-    return turned(part, part.leaves[0] === this.leaves[0] ? outer : sign);
+    const [least] = turned(this, outer);
+    return newer.#parts
+      .filter(({ node }) => changes.has(node) && !this.#part(node))
+      .reduce((most, part) => Math.max(most, turned(part.within(x, y, z, half, 0), sign)[1]! - least!), 0);
+  }
+
+  /** By parts that matter no more: by as much as they may have been above all others. */
+  #byGone(gone: readonly boolean[]): number {
+    if (!gone.includes(true)) return 0;
+    const ranges = this.#parts.map((part, i) => turned(part, signsOf(this.#kind)[i === 0 ? 0 : 1]));
+    const least = ranges.reduce((most, [low], i) => (gone[i] ? most : Math.max(most, low!)), -Infinity);
+    return ranges.reduce((most, [, high], i) => (gone[i] ? Math.max(most, high! - least) : most), 0);
+  }
+
+  #part(node: number): Near | null {
+    return this.#parts.find((part) => part.node === node) ?? null;
   }
 
   corners(nodes: Corners, out: Float64Array): number {
@@ -208,11 +218,6 @@ export class NearSet implements Near {
     for (const part of rest) this.#operation.range(range, turned(part, sign), range);
     return turned({ low: range[0]!, high: range[1]! }, outer);
   }
-}
-
-function isChanged({ leaves: [first, end] }: Near, changes: Changes): boolean {
-  for (let leaf = first; leaf < end; leaf++) if (changes.has(leaf)) return true;
-  return false;
 }
 
 type Range = Pick<Near, 'low' | 'high'>;

@@ -4,8 +4,10 @@ import type { FieldValue } from '../skeleton/skeleton.ts';
 import { WITH_GRADIENT } from '../skeleton/work.ts';
 import type { LeafFrame } from './leafFrame.ts';
 import {
+  branchOf,
   type Changes,
   type Corners,
+  isFaceOf,
   type Near,
   type NearLeaf,
   rangesApart,
@@ -23,10 +25,8 @@ export function nearShape(
   frame: LeafFrame | null,
   tally: Tally,
 ): Near {
-  const first = tally.branches;
-  tally.branches += facets?.count ?? 1;
-  const leaf = tally.leaves++;
-  return new NearShape({ field, colour, facets, frame, tally, leaf, first }, -Infinity, Infinity);
+  const whole = { field, colour, facets, frame, tally, leaf: tally.leaf() };
+  return new NearShape(whole, -Infinity, Infinity);
 }
 
 interface Whole {
@@ -36,8 +36,6 @@ interface Whole {
   readonly frame: LeafFrame | null;
   readonly tally: Tally;
   readonly leaf: number;
-  /** number of the first branch */
-  readonly first: number;
 }
 
 const range = new Float64Array(2);
@@ -57,9 +55,8 @@ class NearShape implements Near {
     this.high = high;
   }
 
-  get span(): readonly [number, number] {
-    const { first, facets } = this.#whole;
-    return [first, first + (facets?.count ?? 1)];
+  get node(): number {
+    return this.#whole.leaf;
   }
 
   get plain(): Colour {
@@ -82,27 +79,31 @@ class NearShape implements Near {
   }
 
   branch(x: number, y: number, z: number): number {
-    const { facets, frame, tally, first } = this.#whole;
-    if (!facets) return first;
+    const { facets, frame, tally, leaf } = this.#whole;
+    if (!facets) return branchOf(leaf);
     tally.work += 1;
-    if (!frame) return first + facets.nearest(x, y, z);
+    if (!frame) return branchOf(leaf, facets.nearest(x, y, z));
     frame.enter(x, y, z);
-    return first + facets.nearest(frame.x, frame.y, frame.z);
+    return branchOf(leaf, facets.nearest(frame.x, frame.y, frame.z));
+  }
+
+  holds(branch: number): boolean {
+    return isFaceOf(this.#whole.leaf, branch);
   }
 
   onBranch(branch: number, x: number, y: number, z: number, out: FieldValue): void {
-    const { facets, frame, tally, first } = this.#whole;
+    const { facets, frame, tally, leaf } = this.#whole;
     if (!facets) {
       this.evaluate(x, y, z, out);
       return;
     }
     tally.work += WITH_GRADIENT;
     if (!frame) {
-      facets.evaluate(branch - first, x, y, z, out);
+      facets.evaluate(branch - branchOf(leaf), x, y, z, out);
       return;
     }
     frame.enter(x, y, z);
-    facets.evaluate(branch - first, frame.x, frame.y, frame.z, out);
+    facets.evaluate(branch - branchOf(leaf), frame.x, frame.y, frame.z, out);
     frame.leave(out);
   }
 
@@ -118,11 +119,6 @@ class NearShape implements Near {
 
   get steep(): number {
     return this.#whole.frame?.scale ?? 1;
-  }
-
-  get leaves(): readonly [number, number] {
-    const { leaf } = this.#whole;
-    return [leaf, leaf + 1];
   }
 
   effect(newer: Near, changes: Changes, x: number, y: number, z: number, half: number): number {

@@ -14,9 +14,11 @@ import { type BoundTerm, type Grain, UNSEEN } from './boundTerm.ts';
 import { AROUND, closed, roundedHalf } from './closed.ts';
 import type { LeafFrame } from './leafFrame.ts';
 import {
+  branchOf,
   type Changes,
   type Corners,
   type Far,
+  isFaceOf,
   type LeafChange,
   type Near,
   type NearLeaf,
@@ -39,7 +41,6 @@ interface Whole {
   /** of the field on the surface, nearly: T a millimetre */
   readonly steep: number;
   readonly leaf: number;
-  readonly branch: number;
   readonly frame: LeafFrame | null;
   readonly tally: Tally;
   /** of all terms, where they have one */
@@ -75,8 +76,7 @@ export function nearSum(
     threshold,
     width: grain.width / shrunk,
     steep: grain.slope * shrunk,
-    leaf: tally.leaves++,
-    branch: tally.branches++,
+    leaf: tally.leaf(),
     frame,
     tally,
     plain,
@@ -147,13 +147,16 @@ class NearSum implements Near {
     return frame.scale * this.#colour(frame.x, frame.y, frame.z, out);
   }
 
-  get span(): readonly [number, number] {
-    const { branch } = this.#whole;
-    return [branch, branch + 1];
+  get node(): number {
+    return this.#whole.leaf;
   }
 
   branch(): number {
-    return this.#whole.branch;
+    return branchOf(this.#whole.leaf);
+  }
+
+  holds(branch: number): boolean {
+    return isFaceOf(this.#whole.leaf, branch);
   }
 
   onBranch(_: number, x: number, y: number, z: number, out: FieldValue): void {
@@ -169,11 +172,6 @@ class NearSum implements Near {
   get steep(): number {
     const { steep, frame } = this.#whole;
     return steep * (frame?.scale ?? 1);
-  }
-
-  get leaves(): readonly [number, number] {
-    const { leaf } = this.#whole;
-    return [leaf, leaf + 1];
   }
 
   /** Of what came less what went: moved a little, both hardly differ. */

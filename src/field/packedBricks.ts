@@ -12,3 +12,15 @@ export interface PackedBricks {
   /** rows of four words */
   readonly lists: Uint32Array<ArrayBuffer>;
 }
+
+/** What became of bricks by an edit, on the same lattice: those that are not among `renewed` have the lists that they had. */
+export interface PackedEdit {
+  /** as in Bricks, of all that there are now */
+  readonly grid: Int32Array<ArrayBuffer>;
+  /** whether smooth fields meet in any of them now */
+  readonly hasCreases: boolean;
+  /** places of those that were made anew, ascending */
+  readonly renewed: Uint32Array<ArrayBuffer>;
+  /** rows of four words: of those alone */
+  readonly lists: Uint32Array<ArrayBuffer>;
+}

@@ -27,7 +27,7 @@ export interface Polygonized {
 export const PAGE = 100;
 
 /** A body that still leaves its lattice after so many rounds is cut off there. */
-const ROUNDS = 6;
+export const ROUNDS = 6;
 /** bricks between two looks at the clock */
 const BATCH = 16;
 
@@ -80,11 +80,19 @@ export function* locating(
 ): Generator<number, Located> {
   const tally = new Tally();
   const whole = field.near(tally);
+  const { lattice, around } = yield* fittedLattice(whole, box, resolution);
+  return { whole, tally, bricks: yield* culling(whole, lattice), box: around };
+}
+
+/** Around what is inside of `box`; null: over the page. */
+export function* fittedLattice(whole: Near, box: Box | null, resolution: number) {
+  if (!box) {
+    const around: Box = { min: [-PAGE, -PAGE, -PAGE], max: [PAGE, PAGE, PAGE] };
+    return { lattice: latticeOver(PAGE, resolution), around };
+  }
   // a lattice where nothing is makes an empty mesh
-  const around = box && ((yield* fitting(whole, box)) ?? box);
-  const lattice = around ? latticeAround(around, resolution) : latticeOver(PAGE, resolution);
-  const end = { min: [-PAGE, -PAGE, -PAGE], max: [PAGE, PAGE, PAGE] } as const;
-  return { whole, tally, bricks: yield* culling(whole, lattice), box: around ?? end };
+  const around: Box = (yield* fitting(whole, box)) ?? box;
+  return { lattice: latticeAround(around, resolution), around };
 }
 
 /** The mesh of all bricks, and whether it was cut off at each side of the lattice: −x, x, −y, y, −z, z. */

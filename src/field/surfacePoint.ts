@@ -45,7 +45,8 @@ export function surfacePoint(field: Crossed, a: Vec3, b: Vec3, valueA: number, v
   return { at: add3(a, scale3(along, polished)), normal: outward(gradient) };
 }
 
-const kept = (t: number) => Math.min(Math.max(t, ENDS), 1 - ENDS);
+/** A part of an edge, off its ends; at the first where it is no number. */
+export const kept = (t: number): number => (t > ENDS ? (t < 1 - ENDS ? t : 1 - ENDS) : ENDS);
 
 /** Nearly the part of the way at which the field is 0. Illinois: the end that stays counts half, or it would stay for ever. */
 function crossing(field: Crossed, a: Vec3, along: Vec3, valueA: number, valueB: number): number {

@@ -47,9 +47,9 @@ export class VertexStore {
     return made;
   }
 
-  /** That of `before` where the values at the ends are what they were. */
-  take(before: VertexStore, key: number, ends: Ends): number | null {
-    const known = before.#edges.get(key);
+  /** That of `before`, whose key was `then`, where the values at the ends are what they were. */
+  take(before: VertexStore, then: number, key: number, ends: Ends): number | null {
+    const known = before.#edges.get(then);
     if (!known || known.ends[0] !== ends[0] || known.ends[1] !== ends[1]) return null;
     const taken = this.addOnEdge(key, ends, before.#vertex(known.vertex));
     this.#taken.add(taken);

@@ -1,8 +1,7 @@
 /** A field evaluated at a list of points: bytes up, one thread a point, bytes back; large lists in several dispatches. */
 import type { FieldPipelines } from './pipelines.ts';
+import { USAGE } from './usage.ts';
 
-/** The numbers of the standard, whose names are globals of browsers only. */
-const USAGE = { mapRead: 0x1, copySource: 0x4, copyTarget: 0x8, storage: 0x80 } as const;
 const MAP_READ = 0x1;
 
 /** points of one dispatch: 16 MiB a buffer, and 16 384 of the 65 535 workgroups that every device has */

@@ -1,8 +1,7 @@
 /** Triangles on the device → their edges as lines there, as many as the device says, without its being asked. */
 import source from '../../shaders/lib/wires.wgsl?raw';
+import { USAGE } from './usage.ts';
 
-/** The numbers of the standard, whose names are globals of browsers only. */
-const USAGE = { index: 0x10, storage: 0x80, indirect: 0x100, copySource: 0x4 } as const;
 const WORKGROUP = 64;
 /** workgroups that every device takes in a row */
 const ROW = 65_535;

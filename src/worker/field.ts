@@ -5,12 +5,14 @@
  * coarsest is finished as long as anything is wanted, so that a slider that is being dragged is followed.
  */
 import { bindField } from '../field/bind.ts';
-import type { FromWorker, Made, Make, ToWorker } from '../field/fieldWork.ts';
-import { LiveMesh } from '../field/liveMesh.ts';
+import { brickBox } from '../field/bricks.ts';
+import { DRAFT, type FromWorker, type Made, type Make, type ToWorker } from '../field/fieldWork.ts';
+import { LiveField, type LiveStep } from '../field/liveField.ts';
 import { type Located, locating, type Polygonized, polygonizing } from '../field/polygonize.ts';
-import type { TreeField } from '../field/treeField.ts';
 import { packBricks } from '../gpu/polygonize/lists.ts';
+import { packEdit } from '../gpu/polygonize/packEdit.ts';
 import { gpuWork } from '../gpu/polygonize/work.ts';
+import { LiveMeshes } from './liveMeshes.ts';
 
 /** What this file needs of the scope of a worker, whose types cannot be there beside those of a page. */
 interface Scope {
@@ -20,8 +22,6 @@ interface Scope {
 
 /** ms of work between two looks at the messages */
 const SLICE = 12;
-/** cells: 20 000 values, some 20 ms for a dozen skels */
-const DRAFT = 28;
 /** a draft of less than this share of the cells that come after it is worth its time */
 const COARSER = 0.6;
 
@@ -30,13 +30,12 @@ let wish: Make | null = null;
 /** of what the page said last: other bodies are not wanted */
 let latest = 0;
 let working = false;
-/** nothing is kept */
-const NOTHING = { cells: 0, mesh: new LiveMesh(0) };
-let live = NOTHING;
+const kept = new LiveMeshes();
+/** what the page has of a body whose mesh it makes itself */
+let onPage: { readonly name: string; readonly cells: number; readonly field: LiveField } | null = null;
 
 scope.onmessage = ({ data }) => {
   wish = data.type === 'make' ? data : null;
-  if (!wish?.isEdited) live = NOTHING;
   latest = data.id;
   if (wish && !working) void work();
 };
@@ -56,41 +55,48 @@ async function work(): Promise<void> {
 }
 
 async function make(job: Make): Promise<void> {
-  const { id, node, resolution } = job;
-  const field = bindField(node);
+  const { id, resolution } = job;
   const isLatest = () => id === latest;
   // what is edited needs no drafts: it is there as soon as they would be
-  const isEdit = job.isEdited && live.cells === resolution && job.mesh === 'worker' && live.mesh.isEdit(node);
+  const isEdit = isEditOfKept(job);
   const levels = isEdit ? [resolution] : [...draftsBefore(resolution), resolution];
   for (const [i, cells] of levels.entries()) {
     const draft = i < levels.length - 1;
     // an edit is soon done, and given up it would have to be begun anew
     const wanted = () => isLatest() || ((draft || isEdit) && i === 0 && wish !== null);
     const start = performance.now();
-    const step = await sliced(id, stepping(job, field, cells, draft), wanted);
+    const step = await sliced(id, stepping(job, cells, draft), wanted);
     const rest = () => ({ id, draft: draft || !isLatest(), milliseconds: performance.now() - start });
     if (step) hand('mesh' in step ? handed(step, rest) : handedBricks(step, job, rest));
     if (!isLatest()) return;
   }
 }
 
-/** A mesh; or, where the page makes it, the bricks of it. */
-function* stepping(
-  { mesh, node, isEdited }: Make,
-  field: TreeField,
-  cells: number,
-  isDraft: boolean,
-): Generator<number, Meshed | Located> {
-  if (mesh === 'worker') {
-    return yield* isDraft || !isEdited ? polygonizing(field, cells) : liveOf(cells).making(node);
-  }
-  return yield* locating(field, cells);
+function isEditOfKept({ name, resolution, mesh, node, isHeld }: Make): boolean {
+  if (name === null) return false;
+  if (mesh === 'worker') return kept.known(name, resolution)?.isEdit(node) ?? false;
+  if (onPage?.name !== name || onPage.cells !== resolution || isHeld !== true) onPage = null;
+  return onPage?.field.isEdit(node) ?? false;
 }
 
-/** The body of the last wish at so many cells: what a next one leaves of it is kept. */
-function liveOf(cells: number): LiveMesh {
-  if (live.cells !== cells) live = { cells, mesh: new LiveMesh(cells) };
-  return live.mesh;
+/** A mesh; or, where the page makes it, the bricks of it. */
+function* stepping(
+  { mesh, node, name }: Make,
+  cells: number,
+  isDraft: boolean,
+): Generator<number, Meshed | Located | LiveStep> {
+  if (name !== null && !isDraft) {
+    if (mesh === 'page') {
+      onPage ??= { name, cells, field: new LiveField(cells, true) };
+      return yield* onPage.field.locating(node);
+    }
+    const made = yield* kept.at(name, cells).making(node);
+    kept.trim();
+    return made;
+  }
+  const field = bindField(node);
+  if (mesh === 'worker') return yield* polygonizing(field, cells);
+  return yield* locating(field, cells);
 }
 
 /** Cells of what is shown on the way: some, then half as many as in the end, a quarter of the work. */
@@ -114,7 +120,7 @@ async function sliced<T>(id: number, work: Generator<number, T>, wanted: () => b
   }
 }
 
-type Meshed = Pick<Polygonized, 'mesh' | 'bricks' | 'evaluations'>;
+type Meshed = Pick<Polygonized, 'mesh' | 'bricks' | 'evaluations'> & { readonly isEdit?: boolean };
 type Rest = () => Pick<Made, 'id' | 'draft' | 'milliseconds'>;
 type Handed = readonly [message: FromWorker, transfer: readonly ArrayBufferLike[]];
 
@@ -122,16 +128,32 @@ function hand([message, transfer]: Handed): void {
   scope.postMessage(message, transfer);
 }
 
-function handed({ mesh, bricks, evaluations }: Meshed, rest: Rest): Handed {
+function handed({ mesh, bricks, evaluations, isEdit = false }: Meshed, rest: Rest): Handed {
   const { positions, normals, uvs, indices, colours } = mesh;
   const arrays = [positions, normals, uvs, indices, colours].map(({ buffer }) => buffer);
-  return [{ type: 'made', mesh, lattice: bricks.lattice, evaluations, ...rest() }, arrays];
+  const facts = { lattice: bricks.lattice, evaluations, isEdit };
+  return [{ type: 'made', mesh, ...facts, ...rest() }, arrays];
 }
 
-function handedBricks({ bricks, box, tally }: Located, { node }: Make, rest: Rest): Handed {
-  const packed = packBricks(node, bricks);
-  const { nodes, aVertex } = gpuWork(bricks);
-  const facts = { box, evaluations: tally.work + nodes, workAVertex: aVertex };
+/** Edits of what the page has are no more than what they made anew. */
+function handedBricks(step: Located | LiveStep, { node }: Make, rest: Rest): Handed {
+  const { bricks, tally } = step;
+  const isKept = 'renewed' in step;
+  const isEdit = isKept && step.isEdit && !step.isGrown;
+  const packed = isEdit ? packEdit(node, step) : packBricks(node, bricks);
+  const asked = isEdit
+    ? bricks.active.filter((_, place) => step.renewed.has(step.numbers[place]!))
+    : bricks.active;
+  const { nodes } = gpuWork({ ...bricks, active: asked });
+  const box = isKept ? brickBox(bricks) : step.box;
+  const { aVertex } = gpuWork(bricks);
+  const facts = {
+    lattice: bricks.lattice,
+    box,
+    isKept,
+    evaluations: tally.work + nodes,
+    workAVertex: aVertex,
+  };
   return [
     { type: 'bricks', node, bricks: packed, ...facts, ...rest() },
     [packed.grid.buffer, packed.lists.buffer],

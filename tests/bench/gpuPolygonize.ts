@@ -3,7 +3,7 @@
  * all nodes of the lattice on the same adapter; then all stages of the mesh. Culling and lists are the CPU's and timed apart.
  */
 import { bindField } from '../../src/field/bind.ts';
-import { type Lattice, nodeCount } from '../../src/field/lattice.ts';
+import type { Lattice } from '../../src/field/lattice.ts';
 import type { FieldNode } from '../../src/field/node.ts';
 import type { PackedBricks } from '../../src/field/packedBricks.ts';
 import { type Located, locating } from '../../src/field/polygonize.ts';
@@ -14,6 +14,7 @@ import { packBricks } from '../../src/gpu/polygonize/lists.ts';
 import { gpuPolygonizer } from '../../src/gpu/polygonize/polygonizer.ts';
 import { stagesOn } from '../../src/gpu/polygonize/stages.ts';
 import { programOf } from '../../src/gpu/program.ts';
+import { nodeCount } from '../field/nodeCount.ts';
 import { askedOf, bricksOf } from '../fixtures/bricks.ts';
 import { valueOnly } from './gpuTiming.ts';
 import { timeKravtsovOnGpu } from './kravtsov.ts';

@@ -5,10 +5,11 @@
 import { setFlagsFromString } from 'node:v8';
 import { runInNewContext } from 'node:vm';
 import { bindField } from '../../src/field/bind.ts';
-import { type Lattice, nodeCount } from '../../src/field/lattice.ts';
+import type { Lattice } from '../../src/field/lattice.ts';
 import type { FieldNode } from '../../src/field/node.ts';
 import { type Polygonized, polygonize, polygonizing } from '../../src/field/polygonize.ts';
 import type { TreeField } from '../../src/field/treeField.ts';
+import { nodeCount } from '../field/nodeCount.ts';
 import { skelsOf } from './scenes/index.ts';
 
 /** ms that one measurement may take, about: dense lattices are sampled in part, quick ones of ours repeated */

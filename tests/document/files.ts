@@ -62,6 +62,7 @@ export const COMMANDS: readonly Command[] = [
   { type: 'drop' },
   { type: 'addBody', node: EVERY_NODE, name: 'Everything' },
   { type: 'addBody', node: EVERY_NODE, colour: '#7D5238' },
+  { type: 'setBody', id: 'part-4', node: { type: 'union', form: 'hard', parts: [EVERY_NODE, EVERY_NODE] } },
   add({ ...wave(3), pointer: 'mouse' }),
   add(wave(-30)),
 ];

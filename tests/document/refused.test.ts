@@ -195,19 +195,19 @@ describe('what is wrong is said in one sentence', () => {
     [
       '[[]]',
       expect.stringMatching(
-        /^Pear.rotund, commands\[0\].type: expected one of addStroke, addBody, keep, .*, found nothing$/,
+        /^Pear.rotund, commands\[0\].type: expected one of addStroke, addBody, setBody, keep, .*, found nothing$/,
       ),
     ],
     [
       '["keep"]',
       expect.stringMatching(
-        /^Pear.rotund, commands\[0\]: expected one of addStroke, addBody, keep, .*, found "keep"$/,
+        /^Pear.rotund, commands\[0\]: expected one of addStroke, addBody, setBody, keep, .*, found "keep"$/,
       ),
     ],
     [
       '[{"type":"explode"}]',
       expect.stringMatching(
-        /^Pear.rotund, commands\[0\].type: expected one of addStroke, addBody, keep, .*, found "explode"$/,
+        /^Pear.rotund, commands\[0\].type: expected one of addStroke, addBody, setBody, keep, .*, found "explode"$/,
       ),
     ],
     ['[{"type":"constructor"}]', expect.stringMatching(/^Pear.rotund, commands\[0\].type: expected one of/)],

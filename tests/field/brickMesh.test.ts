@@ -4,7 +4,7 @@ import { bindField } from '../../src/field/bind.ts';
 import { BrickMesh } from '../../src/field/brickMesh.ts';
 import { type Bricks, culling } from '../../src/field/bricks.ts';
 import { BrickValues } from '../../src/field/brickValues.ts';
-import { type Lattice, latticeAround, nodeCount } from '../../src/field/lattice.ts';
+import { type Lattice, latticeAround } from '../../src/field/lattice.ts';
 import { type Near, Tally } from '../../src/field/near.ts';
 import type { TreeField } from '../../src/field/treeField.ts';
 import { topology } from '../../src/mesh/check.ts';
@@ -12,6 +12,7 @@ import { volume } from '../../src/mesh/measure.ts';
 import { random } from '../fixtures/random.ts';
 import { finished } from './finished.ts';
 import { Lot } from './lot.ts';
+import { nodeCount } from './nodeCount.ts';
 import { everyBrick, noise } from './noise.ts';
 import { randomTree } from './randomTrees.ts';
 

@@ -7,9 +7,9 @@ import type { FieldNode, SkelsNode } from '../../src/field/node.ts';
 import { polygonize } from '../../src/field/polygonize.ts';
 import { topology } from '../../src/mesh/check.ts';
 import { bounds, volume } from '../../src/mesh/measure.ts';
-import type { Mesh } from '../../src/mesh/mesh.ts';
 import { random } from '../fixtures/random.ts';
 import { Lot } from './lot.ts';
+import { offBy } from './meshes.ts';
 import { randomTree } from './randomTrees.ts';
 import { type Point, placed } from './trees.ts';
 
@@ -32,18 +32,6 @@ function comb(count: number, moved: Point = [0, 0, 0], old?: SkelsNode): SkelsNo
     };
   });
   return { type: 'skels', kernel: 'cauchy', params: { s: 0.5 }, threshold: 1.6, skels };
-}
-
-/** Cells by which vertices are off the surface of a field, at most. */
-function offBy(node: FieldNode, mesh: Mesh, step: number): number {
-  const field = bindField(node);
-  const out = new Float64Array(4);
-  let most = 0;
-  for (let i = 0; i < mesh.positions.length; i += 3) {
-    field.evaluate(mesh.positions[i]!, mesh.positions[i + 1]!, mesh.positions[i + 2]!, out);
-    most = Math.max(most, Math.abs(out[0]!) / Math.hypot(out[1]!, out[2]!, out[3]!) / step);
-  }
-  return most;
 }
 
 const CELLS = 96;
@@ -181,4 +169,4 @@ test('trees drawn by lot, one after the other, are those made at once (30 pairs,
       expect(topology(mesh), `seed ${seed}`).toMatchObject({ watertight: true, finite: true });
     }
   }
-});
+}, 300_000);

@@ -99,3 +99,15 @@ export function touches(mesh: Mesh): boolean {
   // V of the Euler number counts fans
   return topology(mesh).euler + mesh.indices.length / 6 !== places;
 }
+
+/** Cells by which vertices are off the surface of a field, at most. */
+export function offBy(node: FieldNode, mesh: Mesh, step: number): number {
+  const field = bindField(node);
+  const out = new Float64Array(4);
+  let most = 0;
+  for (let i = 0; i < mesh.positions.length; i += 3) {
+    field.evaluate(mesh.positions[i]!, mesh.positions[i + 1]!, mesh.positions[i + 2]!, out);
+    most = Math.max(most, Math.abs(out[0]!) / Math.hypot(out[1]!, out[2]!, out[3]!) / step);
+  }
+  return most;
+}

@@ -2,7 +2,6 @@
 import { describe, expect, test } from 'vitest';
 import { bindField } from '../../src/field/bind.ts';
 import { fitting } from '../../src/field/fitBox.ts';
-import { nodeCount } from '../../src/field/lattice.ts';
 import { type NearLeaf, Tally } from '../../src/field/near.ts';
 import type { FieldNode } from '../../src/field/node.ts';
 import { polygonize } from '../../src/field/polygonize.ts';
@@ -11,6 +10,7 @@ import type { SegmentSkel } from '../../src/skeleton/skels.ts';
 import { random } from '../fixtures/random.ts';
 import { finished } from './finished.ts';
 import { Lot } from './lot.ts';
+import { nodeCount } from './nodeCount.ts';
 import { randomTree } from './randomTrees.ts';
 import { body, type Point, placed, points } from './trees.ts';
 

@@ -1,7 +1,8 @@
 /** The worker as its page hears it: a draft, then the body; the latest wish wins. */
 import { beforeAll, beforeEach, describe, expect, test, vi } from 'vitest';
 import type { FromWorker, Located, Made, Make, ToWorker } from '../../src/field/fieldWork.ts';
-import type { FieldNode } from '../../src/field/node.ts';
+import type { FieldNode, SkelsNode } from '../../src/field/node.ts';
+import type { PackedBricks, PackedEdit } from '../../src/field/packedBricks.ts';
 import { body } from '../field/trees.ts';
 import { random } from '../fixtures/random.ts';
 
@@ -19,11 +20,11 @@ const scope: {
 const say = (data: ToWorker) => scope.onmessage!({ data });
 const sphere: FieldNode = { type: 'shape', shape: { type: 'sphere', radius: 10 } };
 const wish = (id: number, more: Partial<Make> = {}) =>
-  say({ type: 'make', id, node: sphere, resolution: 24, mesh: 'worker', isEdited: false, ...more });
+  say({ type: 'make', id, node: sphere, resolution: 24, mesh: 'worker', name: null, ...more });
 const of = (id: number) => heard.filter((message) => message.id === id);
 /** about a body, of whole bricks: there is one of air around it, and a node more than cells */
 const cellsOf = (step: Made | Located) => {
-  const { counts } = step.type === 'made' ? step.lattice : step.bricks.lattice;
+  const { counts } = step.lattice;
   return Math.max(...counts) - 5;
 };
 const made = (id: number) =>
@@ -153,8 +154,9 @@ describe('the worker', () => {
         expect(box.max[axis] - box.min[axis]).toBeLessThan(1.1 * 20);
       }
       // the surface is in none of the others
-      expect([...bricks.grid].filter((place) => place >= 0).length).toBe(bricks.count);
-      expect(bricks.count).toBeGreaterThan(0);
+      const { count } = bricks as PackedBricks;
+      expect([...bricks.grid].filter((place) => place >= 0).length).toBe(count);
+      expect(count).toBeGreaterThan(0);
     }
   });
 
@@ -174,15 +176,59 @@ describe('the worker', () => {
         })),
       ),
     });
-    wish(30, { node: limbs(0), resolution: 60, isEdited: true });
+    wish(30, { node: limbs(0), resolution: 60, name: 'limbs' });
     const first = await made(30);
-    wish(31, { node: limbs(1), resolution: 60, isEdited: true });
+    wish(31, { node: limbs(1), resolution: 60, name: 'limbs' });
     const edit = await made(31);
     // no draft came before it
     expect(of(31).filter(({ type }) => type === 'made').length).toBe(1);
     expect(edit.evaluations).toBeLessThan(0.6 * first.evaluations);
+    expect([first.isEdit, edit.isEdit]).toEqual([false, true]);
     wish(32, { node: limbs(1), resolution: 60 });
-    expect((await made(32)).evaluations).toBeGreaterThan(edit.evaluations);
+    const anew = await made(32);
+    expect(anew.evaluations).toBeGreaterThan(edit.evaluations);
+    expect(anew.isEdit).toBe(false);
+    // another body, and what has no field, leave it as it is
+    wish(33, { resolution: 60, name: 'ball' });
+    expect(await made(33)).toMatchObject({ isEdit: false });
+    wish(34, { node: { ...limbs(2), threshold: 0 } as FieldNode, resolution: 60, name: 'limbs' });
+    await vi.waitFor(() => expect(of(34).at(-1)).toMatchObject({ type: 'refused' }));
+    wish(35, { node: limbs(1.2), resolution: 60, name: 'limbs' });
+    expect(await made(35)).toMatchObject({ isEdit: true });
+  });
+
+  test('hands a page that has the bricks of a body what an edit made anew of them', async () => {
+    const limbs = (x: number): FieldNode => ({
+      ...body(
+        Array.from({ length: 8 }, (_, i) => ({
+          skel: { type: 'segment', a: [12 * i, 0, 0], b: [12 * i, 20, i === 3 ? x : i], weights: [1] },
+        })),
+      ),
+    });
+    const asked = async (id: number, node: FieldNode, isHeld: boolean) => {
+      wish(id, { node, resolution: 60, mesh: 'page', name: 'limbs', isHeld });
+      const last = await vi.waitFor(() => {
+        const found = heard.findLast((message) => message.id === id);
+        expect(found).toMatchObject({ type: 'bricks', draft: false, isKept: true });
+        return found as Located;
+      }, 15_000);
+      return { last, steps: of(id).filter(({ type }) => type === 'bricks').length };
+    };
+    const whole = await asked(50, limbs(0), true);
+    expect(whole.last.bricks).toHaveProperty('count');
+    expect(whole.steps).toBeGreaterThan(1);
+    const edit = await asked(51, limbs(0.5), true);
+    expect(edit.steps).toBe(1);
+    const { renewed, lists, grid } = edit.last.bricks as PackedEdit;
+    expect(renewed.length).toBeLessThan(0.6 * grid.filter((place) => place >= 0).length);
+    expect(lists.length).toBeLessThan(0.6 * (whole.last.bricks as PackedBricks).lists.length);
+    expect(edit.last.evaluations).toBeLessThan(0.6 * whole.last.evaluations);
+    // a term more shifts what lists say by place, and a new device has nothing
+    const more = limbs(0.5) as SkelsNode;
+    const again = await asked(52, { ...more, skels: [...more.skels, more.skels[0]!] }, true);
+    expect(again.last.bricks).toHaveProperty('count');
+    expect((await asked(53, limbs(0.6), false)).last.bricks).toHaveProperty('count');
+    expect((await asked(54, limbs(0.7), true)).last.bricks).toHaveProperty('renewed');
   });
 
   test.each(['worker', 'page'] as const)('stops when told so: a mesh for the %s', async (mesh) => {

@@ -14,6 +14,7 @@ import { removeAll } from './removeAll.ts';
 import { removeLast } from './removeLast.ts';
 import { removeParts } from './removeParts.ts';
 import { renamePart } from './renamePart.ts';
+import { setBody } from './setBody.ts';
 import { setBrush } from './setBrush.ts';
 import { setPartBrush } from './setPartBrush.ts';
 import { setTubesOnly } from './setTubesOnly.ts';
@@ -31,6 +32,7 @@ export interface CommandKind<Type extends string, Data> {
 const kinds = {
   addStroke,
   addBody,
+  setBody,
   keep,
   drop,
   setBrush,

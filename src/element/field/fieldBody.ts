@@ -4,6 +4,7 @@
  */
 import type { FromWorker, Located, Made, ToWorker } from '../../field/fieldWork.ts';
 import type { FieldNode } from '../../field/node.ts';
+import { livePolygonizer } from '../../gpu/polygonize/livePolygonizer.ts';
 import { gpuPolygonizer } from '../../gpu/polygonize/polygonizer.ts';
 import { isOnDevice } from '../../scene/deviceMesh.ts';
 import { messageOf } from '../events.ts';
@@ -31,6 +32,8 @@ export class FieldBody {
   #latest = 0;
   /** ms, when the latest body was asked for */
   #since = 0;
+  /** the device has what the worker handed over last */
+  #isHeld = false;
   /** the last tree that was refused: nothing from before it is shown any more */
   #refused = 0;
   /** why the graphics device did not make the latest body, though it was to; null: it did, or was not to */
@@ -53,7 +56,9 @@ export class FieldBody {
       made: (made: MadeOnGpu) => this.#hearDevice(made),
       failed: (of: Located, error: unknown) => this.#fallBack(of, error),
     };
-    this.#gpu = device ? new FieldOnGpu(gpuPolygonizer(device), listener) : null;
+    const polygonizer = device && gpuPolygonizer(device);
+    this.#gpu = polygonizer && new FieldOnGpu(polygonizer, livePolygonizer(device, polygonizer), listener);
+    this.#isHeld = false;
     if (!device && this.#wish?.onDevice && (isLost || this.progress !== null)) this.#ask(null);
   }
 
@@ -97,8 +102,10 @@ export class FieldBody {
     const mesh = onDevice && this.#failure === null ? 'page' : 'worker';
     this.progress = 0;
     this.#worker ??= this.#start();
-    const make: ToWorker = { type: 'make', id, node, resolution, mesh, isEdited: true };
+    const make: ToWorker = { type: 'make', id, node, resolution, mesh, name: 'body', isHeld: this.#isHeld };
     this.#worker.postMessage(make);
+    // the device gets all that comes from now on
+    if (mesh === 'page') this.#isHeld = true;
     this.#changed();
   }
 
@@ -121,7 +128,8 @@ export class FieldBody {
         this.#changed();
         return;
       case 'bricks':
-        if (this.#isWelcome(said)) this.#gpu?.make(said);
+        // edits may follow
+        if (said.isKept || this.#isWelcome(said)) this.#gpu?.make(said);
         return;
       case 'made':
         if (this.#isWelcome(said)) this.#show(this.#shown(said), () => {});
@@ -157,10 +165,10 @@ export class FieldBody {
       release();
       return;
     }
-    const { id, draft, bricks, workAVertex } = of;
+    const { id, draft, lattice, workAVertex } = of;
     const evaluations = of.evaluations + workAVertex * vertices;
     const facts = {
-      lattice: bricks.lattice,
+      lattice,
       evaluations,
       milliseconds: this.#took({ id, milliseconds: of.milliseconds + milliseconds }),
     };
@@ -168,6 +176,7 @@ export class FieldBody {
   }
 
   #fallBack({ id }: Located, error: unknown): void {
+    this.#isHeld = false;
     if (id !== this.#latest) return;
     console.warn('The body comes from the CPU.', error);
     this.#ask(FIELD_WORDS.deviceFailed);

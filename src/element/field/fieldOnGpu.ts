@@ -1,8 +1,11 @@
 /**
- * Meshes on the graphics device, from the bricks that a worker sends: one after the other, and of those that wait only the latest.
+ * Meshes on the graphics device, from the bricks that a worker sends: one after the other, and of those that wait only the latest; but edits
+ * follow each other, so that none of them is left out.
  * Meshes that are released give their buffers to those that come.
  */
 import type { Located } from '../../field/fieldWork.ts';
+import type { GpuMesh } from '../../gpu/polygonize/gpuMesh.ts';
+import type { LivePolygonizer } from '../../gpu/polygonize/livePolygonizer.ts';
 import type { GpuPolygonizer } from '../../gpu/polygonize/polygonizer.ts';
 import type { DeviceMesh } from '../../scene/deviceMesh.ts';
 
@@ -26,18 +29,25 @@ export interface Listener {
 
 export class FieldOnGpu {
   readonly #polygonizer: GpuPolygonizer;
+  readonly #live: LivePolygonizer;
   readonly #listener: Listener;
+  /** the latest that is not kept */
   #next: Located | null = null;
+  /** one that is kept, and edits of it and of what is on the device */
+  #edits: Located[] = [];
   #isBusy = false;
   #isGone = false;
 
-  constructor(polygonizer: GpuPolygonizer, listener: Listener) {
+  constructor(polygonizer: GpuPolygonizer, live: LivePolygonizer, listener: Listener) {
     this.#polygonizer = polygonizer;
+    this.#live = live;
     this.#listener = listener;
   }
 
   make(of: Located): void {
-    this.#next = of;
+    if (!of.isKept) this.#next = of;
+    else if (isEdit(of)) this.#edits.push(of);
+    else this.#edits = [of];
     if (!this.#isBusy) void this.#work();
   }
 
@@ -45,16 +55,20 @@ export class FieldOnGpu {
   destroy(): void {
     this.#isGone = true;
     this.#next = null;
+    this.#edits = [];
+    this.#live.destroy();
     this.#polygonizer.destroy();
   }
 
   async #work(): Promise<void> {
     this.#isBusy = true;
-    while (this.#next) {
-      const of = this.#next;
-      this.#next = null;
+    for (;;) {
+      const edits = this.#edits.splice(0);
+      const of = edits.at(-1) ?? this.#next;
+      if (!of) break;
+      if (edits.length === 0) this.#next = null;
       try {
-        const made = await this.#made(of);
+        const made = await this.#made(of, edits);
         if (this.#isGone) made.release();
         else this.#listener.made(made);
       } catch (error) {
@@ -64,9 +78,9 @@ export class FieldOnGpu {
     this.#isBusy = false;
   }
 
-  async #made(of: Located): Promise<MadeOnGpu> {
+  async #made(of: Located, edits: readonly Located[]): Promise<MadeOnGpu> {
     const start = performance.now();
-    const mesh = await this.#polygonizer.whole(of.node, of.bricks);
+    const mesh = await (edits.length > 0 ? this.#edited(edits) : this.#whole(of));
     const size = await mesh.needed();
     const { positions, normals, colours, indices, draw } = mesh;
     return {
@@ -77,4 +91,24 @@ export class FieldOnGpu {
       release: () => mesh.destroy(),
     };
   }
+
+  async #whole({ node, bricks }: Located): Promise<GpuMesh> {
+    if ('renewed' in bricks) throw new Error('an edit of nothing');
+    return this.#polygonizer.whole(node, bricks);
+  }
+
+  /** The last of them. */
+  async #edited(all: readonly Located[]): Promise<GpuMesh> {
+    const [first, ...rest] = all;
+    const last = all.at(-1)!;
+    const edits = (of: readonly Located[]) =>
+      of.flatMap(({ bricks }) => ('renewed' in bricks ? [bricks] : []));
+    if (!first || 'renewed' in first.bricks) return this.#live.edit(last.node, edits(all));
+    const whole = await this.#live.whole(first.node, first.bricks);
+    if (rest.length === 0) return whole;
+    whole.destroy();
+    return this.#live.edit(last.node, edits(rest));
+  }
 }
+
+const isEdit = ({ bricks }: Located): boolean => 'renewed' in bricks;

@@ -1,16 +1,8 @@
 /** Buffers that stay from one mesh to the next and grow where they are too small; bound with the size that is asked for. */
 
-/** The numbers of the standard, whose names are globals of browsers only. */
-export const USAGE = {
-  mapRead: 0x1,
-  copySource: 0x4,
-  copyTarget: 0x8,
-  index: 0x10,
-  vertex: 0x20,
-  uniform: 0x40,
-  storage: 0x80,
-  indirect: 0x100,
-} as const;
+import { USAGE } from '../usage.ts';
+
+export { USAGE };
 
 /** bytes that every device binds */
 export const MOST_BYTES = 1 << 27;

@@ -3,6 +3,7 @@
  * the middle of loops. How many vertices and cells there are only the device knows: it plans its own dispatches and the draw
  * (Kravtsov §1.3.1 in five steps, but indexed).
  */
+import type { Lattice } from '../../field/lattice.ts';
 import type { PackedBricks } from '../../field/packedBricks.ts';
 import type { Program } from '../program.ts';
 import { ITEM, totalsOf } from '../scan.ts';
@@ -23,7 +24,7 @@ import {
 export type Bound = Readonly<Record<string, Slice>>;
 
 /** Per brick: 128 places for nodes, 64 cells. */
-const NODES = 128;
+export const NODES = 128;
 const CELLS = 64;
 const LOOPS = loopTable();
 /** bytes, as in shaders/polygonize/creased.wgsl */
@@ -38,19 +39,24 @@ export function uploadField(
   { lattice, count, grid, lists }: PackedBricks,
   room: Capacity,
 ): Bound {
+  return {
+    records: buffers.put('records', program.records, USAGE.storage),
+    lists: buffers.put('lists', lists, USAGE.storage),
+    grid: buffers.put('grid', grid, USAGE.storage),
+    lattice: putLattice(buffers, lattice, count, room),
+    values: buffers.get('values', 4 * NODES * roomsOf(count), USAGE.storage | USAGE.copySource),
+  };
+}
+
+/** The lattice, and how many bricks of it are active. RangeError for one without whole bricks. */
+export function putLattice(buffers: Buffers, lattice: Lattice, count: number, room: Capacity): Slice {
   const along = lattice.counts.map((nodes) => (nodes - 1) / 4);
   if (!along.every((number) => Number.isInteger(number) && number >= 1 && number <= MOST_ALONG))
     throw new RangeError(`a lattice of ${lattice.counts.join(' × ')} nodes has no bricks of four cells`);
   const { origin, step } = lattice;
   const capacities = [room.vertices, 3 * room.triangles, cellsOf(room), 0];
   const header = LATTICE.pack([{ origin, step, bricks: [...along, count], capacities }]);
-  return {
-    records: buffers.put('records', program.records, USAGE.storage),
-    lists: buffers.put('lists', lists, USAGE.storage),
-    grid: buffers.put('grid', grid, USAGE.storage),
-    lattice: buffers.put('lattice', header, USAGE.uniform),
-    values: buffers.get('values', 4 * NODES * roomsOf(count), USAGE.storage | USAGE.copySource),
-  };
+  return buffers.put('lattice', header, USAGE.uniform);
 }
 
 /** What lies between the stages. */
@@ -172,7 +178,7 @@ function bind(
 }
 
 /** In rows that no device refuses. */
-function groupsOf(count: number): [x: number, y: number] {
+export function groupsOf(count: number): [x: number, y: number] {
   const rows = Math.max(1, Math.ceil(count / 65535));
   return [Math.ceil(count / rows), rows];
 }

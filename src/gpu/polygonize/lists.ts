@@ -35,7 +35,7 @@ export function packBricks(node: FieldNode, { lattice, active, grid }: ListedBri
     lattice,
     count: active.length,
     hasCreases: hasCreases(active),
-    grid: Int32Array.from(grid),
+    grid,
     lists,
   };
 }

@@ -7,7 +7,15 @@ import type { PackedBricks } from '../../field/packedBricks.ts';
 import type { Modules } from '../link.ts';
 import { type Program, programOf } from '../program.ts';
 import { Buffers, MOST_BYTES, readBack } from './buffers.ts';
-import { CREASED_LOOP, creaseBuffers, encodeField, encodeMesh, meshBuffers, uploadField } from './encode.ts';
+import {
+  type Bound,
+  CREASED_LOOP,
+  creaseBuffers,
+  encodeField,
+  encodeMesh,
+  meshBuffers,
+  uploadField,
+} from './encode.ts';
 import { type Capacity, type GpuMesh, gpuMesh, outputs } from './gpuMesh.ts';
 import { type ListedBricks, packBricks } from './lists.ts';
 import { type Stages, stagesOn } from './stages.ts';
@@ -20,9 +28,20 @@ export interface GpuPolygonizer {
   polygonize(node: FieldNode, bricks: ListedBricks | PackedBricks): Promise<GpuMesh>;
   /** A mesh that fits: asks the device, and begins again where it did not. */
   whole(node: FieldNode, bricks: ListedBricks | PackedBricks): Promise<GpuMesh>;
+  /**
+   * The same of so many bricks whose values `encode` brings onto the device, or has brought there before, in buffers of its own: it hands back
+   * what encodeMesh reads.
+   */
+  meshOf(program: Program, bricks: MeshedBricks, encode: FieldEncoder): Promise<GpuMesh>;
   /** Gives all buffers back, those of meshes that were not destroyed excepted. */
   destroy(): void;
 }
+
+/** What the stages of the mesh know of bricks beforehand. */
+export type MeshedBricks = Pick<PackedBricks, 'count' | 'hasCreases'>;
+
+/** Records, lists, grid, lattice and values of bricks. */
+export type FieldEncoder = (pass: GPUComputePassEncoder, stages: Stages, room: Capacity) => Bound;
 
 /** A brick that the surface crosses has some 40 vertices; two of three active ones are crossed. */
 const VERTICES_A_BRICK = 40;
@@ -51,8 +70,8 @@ class Polygonizer implements GpuPolygonizer {
   readonly #free: Buffers[] = [];
   /** of the first mesh */
   readonly #first: Capacity | null;
-  /** of one that did not fit */
-  #needed: Capacity | null = null;
+  /** of the last that did not fit, of so many bricks: others are taken to need as much a brick */
+  #needed: (Capacity & { readonly bricks: number }) | null = null;
   #isGone = false;
   #lost: string | null = null;
 
@@ -69,11 +88,23 @@ class Polygonizer implements GpuPolygonizer {
   async polygonize(node: FieldNode, bricks: ListedBricks | PackedBricks): Promise<GpuMesh> {
     const program = programOf(node);
     const packed = 'lists' in bricks ? bricks : packBricks(node, bricks);
-    const stages = await this.#told(this.#stages(program.ingredients, packed.hasCreases));
+    return this.#meshOf(program, packed, (pass, stages, room) => {
+      const field = uploadField(this.#work, program, packed, room);
+      encodeField(this.#device, pass, stages, field, packed.count);
+      return field;
+    });
+  }
+
+  async meshOf(program: Program, bricks: MeshedBricks, encode: FieldEncoder): Promise<GpuMesh> {
+    return this.#fitting(bricks.count, () => this.#meshOf(program, bricks, encode));
+  }
+
+  async #meshOf(program: Program, bricks: MeshedBricks, encode: FieldEncoder): Promise<GpuMesh> {
+    const stages = await this.#told(this.#stages(program.ingredients, bricks.hasCreases));
     if (this.#isGone) throw new Error('the polygonizer was given back');
     const own = this.#free.pop() ?? new Buffers(this.#device);
     try {
-      return await this.#taken(() => this.#begin(stages, program, packed, own));
+      return await this.#taken(() => this.#begin(stages, bricks, encode, own));
     } catch (error) {
       // among them may be some that there was no memory for
       for (const buffers of [own, this.#work]) buffers.destroy();
@@ -83,10 +114,14 @@ class Polygonizer implements GpuPolygonizer {
 
   async whole(node: FieldNode, bricks: ListedBricks | PackedBricks): Promise<GpuMesh> {
     const packed = 'lists' in bricks ? bricks : packBricks(node, bricks);
+    return this.#fitting(packed.count, () => this.polygonize(node, packed));
+  }
+
+  async #fitting(bricks: number, make: () => Promise<GpuMesh>): Promise<GpuMesh> {
     for (;;) {
-      const mesh = await this.polygonize(node, packed);
+      const mesh = await make();
       if (!(await mesh.overflowed())) return mesh;
-      this.#needed = await mesh.needed();
+      this.#needed = { ...(await mesh.needed()), bricks };
       mesh.destroy();
     }
   }
@@ -97,15 +132,14 @@ class Polygonizer implements GpuPolygonizer {
     this.#free.length = 0;
   }
 
-  #begin(stages: Stages, program: Program, bricks: PackedBricks, own: Buffers): GpuMesh {
+  #begin(stages: Stages, bricks: MeshedBricks, encode: FieldEncoder, own: Buffers): GpuMesh {
     const room = this.#roomFor(bricks);
     const written = outputs(own, room);
-    const field = uploadField(this.#work, program, bricks, room);
-    const creases = stages.creases ? creaseBuffers(this.#work, room) : {};
-    const bound = { ...field, ...meshBuffers(this.#work, bricks.count, room), ...creases, ...written };
     const encoder = this.#device.createCommandEncoder({ label: 'polygonize' });
     const pass = encoder.beginComputePass({ label: 'polygonize' });
-    encodeField(this.#device, pass, stages, field, bricks.count);
+    const field = encode(pass, stages, room);
+    const creases = stages.creases ? creaseBuffers(this.#work, room) : {};
+    const bound = { ...field, ...meshBuffers(this.#work, bricks.count, room), ...creases, ...written };
     encodeMesh(this.#device, pass, stages, bound, bricks.count);
     pass.end();
     this.#device.queue.submit([encoder.finish()]);
@@ -113,14 +147,15 @@ class Polygonizer implements GpuPolygonizer {
     return gpuMesh(written, read, () => this.#takeBack(own));
   }
 
-  #roomFor({ count, hasCreases }: PackedBricks): Capacity {
+  #roomFor({ count, hasCreases }: MeshedBricks): Capacity {
     if (this.#first && !this.#needed) return this.#first;
     const guess = Math.max(FEWEST, (hasCreases ? CREASED : 1) * VERTICES_A_BRICK * count);
-    const { vertices, triangles } = this.#needed ?? { vertices: 0, triangles: 0 };
+    const { vertices, triangles, bricks } = this.#needed ?? { vertices: 0, triangles: 0, bricks: 1 };
     const most = hasCreases ? MOST_CREASED : MOST.vertices;
+    const alike = (known: number) => Math.ceil((known * count) / Math.max(1, bricks));
     return {
-      vertices: Math.max(Math.min(guess, most), vertices),
-      triangles: Math.max(Math.min(2 * guess, MOST.triangles), triangles),
+      vertices: Math.max(Math.min(guess, most), alike(vertices)),
+      triangles: Math.max(Math.min(2 * guess, MOST.triangles), alike(triangles)),
     };
   }
 

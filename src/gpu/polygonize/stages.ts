@@ -116,7 +116,7 @@ function loader(device: GPUDevice, changed: Modules): Load {
     const key = `${names}, ${hasCreases ? 'creases' : 'smooth'}`;
     plain ??= loadPlain(device);
     const modules = { ...modulesOf(ingredients), ...changed };
-    const ofNodes = nodes.get(names) ?? load(device, modules, 'nodes');
+    const ofNodes = nodes.get(names) ?? loadStage(device, modules, 'nodes');
     nodes.set(names, ofNodes);
     const stages = known.get(key) ?? loadStages(device, plain, ofNodes, modules, hasCreases);
     known.set(key, stages);
@@ -143,6 +143,7 @@ export const CREASED: Modules = {
 };
 
 const TABLES: Modules = {
+  bricks: '#import polygonize/eachBrick\n',
   'record/lattice': LATTICE.wgsl,
   'table/entries': constants('', ENTRY).join(''),
   'table/loops': loopModule(),
@@ -153,7 +154,7 @@ type Plain = readonly [Scan, readonly (readonly [StageName, GPUComputePipeline])
 
 async function loadPlain(device: GPUDevice): Promise<Plain> {
   const modules = { ...SHADERS, ...TABLES };
-  return Promise.all([loadScan(device), Promise.all(PLAIN.map((name) => load(device, modules, name)))]);
+  return Promise.all([loadScan(device), Promise.all(PLAIN.map((name) => loadStage(device, modules, name)))]);
 }
 
 async function loadStages(
@@ -167,8 +168,8 @@ async function loadStages(
   const [[scan, others], ofNodes, vertices, creases] = await Promise.all([
     plain,
     nodes,
-    load(device, creased, 'vertices'),
-    hasCreases ? Promise.all(CREASE_NAMES.map((name) => load(device, creased, name))) : null,
+    loadStage(device, creased, 'vertices'),
+    hasCreases ? Promise.all(CREASE_NAMES.map((name) => loadStage(device, creased, name))) : null,
   ]);
   const pipelines = Object.fromEntries([...others, ofNodes, vertices]) as Pipelines<StageName>;
   return {
@@ -178,7 +179,8 @@ async function loadStages(
   };
 }
 
-async function load<Name extends StageName | CreaseStageName>(
+/** One of them by its name. */
+export async function loadStage<Name extends StageName | CreaseStageName>(
   device: GPUDevice,
   modules: Modules,
   name: Name,

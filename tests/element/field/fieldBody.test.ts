@@ -45,7 +45,7 @@ function arrays(triangles = 1): FieldMesh {
   const indices = new Uint32Array(3 * triangles);
   return { positions: three, normals: three, colours: three, uvs: new Float32Array(6), indices };
 }
-const step = { evaluations: 100, milliseconds: 7 };
+const step = { evaluations: 100, milliseconds: 7, isEdit: false };
 const made = (id: number, draft = false): FromWorker =>
   ({ type: 'made', id, draft, mesh: arrays(), lattice, ...step }) as const;
 const bricks = (id: number, draft = false): FromWorker => ({
@@ -54,6 +54,8 @@ const bricks = (id: number, draft = false): FromWorker => ({
   draft,
   node: tree(id),
   bricks: { lattice, count: 1, hasCreases: false, grid: new Int32Array(1), lists: new Uint32Array(4) },
+  isKept: false,
+  lattice,
   box: { min: [-id, 0, 0], max: [id, 1, 1] },
   workAVertex: 10,
   ...step,
@@ -77,7 +79,8 @@ function polygonizer(): GpuPolygonizer {
       const mesh = { draw: {}, needed, destroy: vi.fn() } as unknown as Asked['mesh'];
       asked.push({ node, mesh, resolve: () => resolve(mesh), reject });
     });
-  return { whole, polygonize: whole, destroy: destroyed };
+  const meshOf = () => Promise.reject(new Error('not edited here'));
+  return { whole, polygonize: whole, meshOf, destroy: destroyed };
 }
 
 let body: FieldBody;

@@ -3,10 +3,11 @@
  * field along the edges.
  */
 import { CubeLoops } from '../../../src/field/cubeLoops.ts';
-import { type Lattice, nodeCount } from '../../../src/field/lattice.ts';
+import type { Lattice } from '../../../src/field/lattice.ts';
 import { eachTriangle } from '../../../src/field/loopTriangles.ts';
 import type { TreeField } from '../../../src/field/treeField.ts';
 import type { Mesh } from '../../../src/mesh/mesh.ts';
+import { nodeCount } from '../../field/nodeCount.ts';
 
 export interface PaintedMesh extends Mesh {
   readonly colours: Float32Array;
