@@ -13,7 +13,7 @@ import {
   STRIDE,
 } from './hermite.ts';
 import type { Lattice } from './lattice.ts';
-import type { Corners, Near, Tally } from './near.ts';
+import type { BrickCorners, Near, Tally } from './near.ts';
 
 /** Of the 27 bricks around one: those before it. */
 export const BEFORE = 13;
@@ -58,7 +58,7 @@ const away = (value: number, slack: number): number =>
   value > 0 ? Math.max(value, 2 * slack + LEAST) : Math.min(value, -2 * slack - LEAST);
 const LEAST = 1e-30;
 
-export class BrickNodes implements Corners {
+export class BrickNodes implements BrickCorners {
   readonly #lattice: Lattice;
   readonly #tally: Tally;
   readonly #node = new Float64Array(STRIDE);

@@ -55,7 +55,7 @@ export class BrickValues {
   /** bricks before it have forgotten their nodes */
   #forgotten = 0;
   /** whether the field is inside at each side of the lattice: −x, x, −y, y, −z, z */
-  readonly leaves = [false, false, false, false, false, false];
+  readonly exits = [false, false, false, false, false, false];
   #before: Before | null;
   readonly #isLive: boolean;
 
@@ -193,7 +193,7 @@ export class BrickValues {
         const stride = [1, SIDE, SIDE * SIDE][axis]!;
         for (let c = 0; c < CORNERS; c++) {
           if (Math.floor(c / stride) % SIDE !== face || !(values[c]! > 0 || values[c] === CUT)) continue;
-          this.leaves[2 * axis + end] = true;
+          this.exits[2 * axis + end] = true;
           values[c] = CUT;
         }
       });

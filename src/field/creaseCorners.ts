@@ -7,7 +7,7 @@ interface Corner {
   readonly fan: Fan;
 }
 
-export class Corners {
+export class CreaseCorners {
   readonly #known = new Map<string, Corner[]>();
 
   add(branches: readonly number[], at: Vec3, fan: Fan | null): void {

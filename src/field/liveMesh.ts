@@ -78,7 +78,7 @@ export class LiveMesh {
     const before = this.#state;
     const changes = this.#changesTo(node);
     this.#state = null;
-    const isStaying = before !== null && changes !== null && !this.#leaves(before, changes, node);
+    const isStaying = before !== null && changes !== null && !this.#exits(before, changes, node);
     const whole = this.#whole(field);
     if (isStaying) {
       yield* before.live.edit(whole, changes.leaves);
@@ -93,7 +93,7 @@ export class LiveMesh {
   }
 
   /** Whether the body leaves its lattice by what came. What has no end leaves every lattice. */
-  #leaves({ lattice, node: before }: State, { reach }: TreeChanges, after: FieldNode): boolean {
+  #exits({ lattice, node: before }: State, { reach }: TreeChanges, after: FieldNode): boolean {
     const { origin, step, counts } = lattice;
     const end = (axis: 0 | 1 | 2) => origin[axis] + (counts[axis] - 1) * step;
     const limits: Box = { min: origin, max: [end(0), end(1), end(2)] };
@@ -134,7 +134,7 @@ export class LiveMesh {
     this.#state = { node, live, lattice, places, values, mesh, asked: whole.asked };
     return {
       mesh: mesh.mesh(),
-      isCut: values.leaves.includes(true),
+      isCut: values.exits.includes(true),
       evaluations: this.#tally.work,
       bricks,
       renewed: bricks.active.filter((brick) => live.renewed.has(live.number(brick))).length,

@@ -6,7 +6,7 @@
 import { cross3, dot3, length3 } from '../math/tuple.ts';
 import type { Vec3 } from '../math/vec.ts';
 import { type Crease, creaseNear } from './crease.ts';
-import { Corners } from './creaseCorners.ts';
+import { CreaseCorners } from './creaseCorners.ts';
 import type { CreaseFans, Fan } from './creaseFans.ts';
 import type { Near } from './near.ts';
 import { NO_BRANCH, type VertexStore } from './vertexStore.ts';
@@ -31,7 +31,7 @@ export class LoopPoints {
   readonly #fans: CreaseFans;
   #before: LoopPoints | null;
   readonly #step: number;
-  readonly #corners = new Corners();
+  readonly #corners = new CreaseCorners();
   /** places of points on creases */
   readonly #places = new Set<string>();
   readonly #found = new Map<string, LoopPoint | null>();

@@ -46,7 +46,7 @@ export interface Near {
    * Writes the values at the 125 corners of a brick's cells, interpolated between its nodes where that is possible, and says by
    * how much they may be off for that, as far as the nodes tell.
    */
-  corners(nodes: Corners, out: Float64Array): number;
+  corners(nodes: BrickCorners, out: Float64Array): number;
   /** of its values near the surface, a millimetre, nearly */
   readonly steep: number;
   /**
@@ -61,7 +61,7 @@ export interface Near {
 }
 
 /** The corners of one brick's cells, for the leaves of its tree (brickNodes.ts). */
-export interface Corners {
+export interface BrickCorners {
   /** of nodes, which are every second corner, mm */
   readonly apart: number;
   /** whether the sign is enough where a leaf is surely not 0 */

@@ -7,7 +7,7 @@ import type { FieldValue } from '../skeleton/skeleton.ts';
 import { colourOf, combinedValue, evaluateOf, type Kind, Scratch, signsOf } from './fold.ts';
 import { hardUnion } from './hardUnion.ts';
 import { CORNERS } from './hermite.ts';
-import type { Changes, Corners, Near, NearLeaf, Way } from './near.ts';
+import type { BrickCorners, Changes, Near, NearLeaf, Way } from './near.ts';
 import { type Colour, commonColour } from './node.ts';
 import type { Operation } from './operation.ts';
 
@@ -152,7 +152,7 @@ export class NearSet implements Near {
     return turned(part, part.leaves[0] === this.leaves[0] ? outer : sign);
   }
 
-  corners(nodes: Corners, out: Float64Array): number {
+  corners(nodes: BrickCorners, out: Float64Array): number {
     const [outer, sign] = signsOf(this.#kind);
     const other = new Float64Array(CORNERS);
     const wasRough = nodes.roughly;

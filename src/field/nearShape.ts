@@ -4,8 +4,8 @@ import type { FieldValue } from '../skeleton/skeleton.ts';
 import { WITH_GRADIENT } from '../skeleton/work.ts';
 import type { LeafFrame } from './leafFrame.ts';
 import {
+  type BrickCorners,
   type Changes,
-  type Corners,
   type Near,
   type NearLeaf,
   rangesApart,
@@ -112,7 +112,7 @@ class NearShape implements Near {
     return new NearShape(this.#whole, range[0]!, range[1]!);
   }
 
-  corners(nodes: Corners, out: Float64Array): number {
+  corners(nodes: BrickCorners, out: Float64Array): number {
     return nodes.exact(this, out);
   }
 

@@ -1,9 +1,11 @@
-/** q^(−n/2): whole n by roots and products, other n by e^(−n/2 log q), which 1e-14 is good for here. */
+/** q^(−n/2): whole n by roots and products, other n by e^(n/2 log 1/q), which 1e-14 is good for here. */
 import { exp } from '../math/exp.ts';
 import { log } from '../math/log.ts';
 
-export function halfPower(q: number, n: number): number {
-  const i = 1 / q;
+export const halfPower = (q: number, n: number): number => rootPower(1 / q, n);
+
+/** i^(n/2) */
+export function rootPower(i: number, n: number): number {
   switch (n) {
     case 1:
       return Math.sqrt(i);
@@ -22,6 +24,6 @@ export function halfPower(q: number, n: number): number {
     case 8:
       return i * i * (i * i);
     default:
-      return exp(-0.5 * n * log(q));
+      return exp(0.5 * n * log(i));
   }
 }

@@ -48,8 +48,10 @@ function bind({ at, weight }: PointSkel, kernel: Kernel, params: KernelParams): 
     sight.slack = 0;
   };
   const spreader = new Spreader(kernel, exponent, extent, per, see, {
-    count: 1,
-    error: () => 0,
+    choose(_, __, out) {
+      out.count = 1;
+      out.off = 0;
+    },
     add(x, y, z, scale, _, out) {
       const r2 = squared(x, y, z);
       const value = scale * factor * kernel.value(r2, exponent);

@@ -7,10 +7,10 @@
  * a sum of far ones.
  */
 import { type AbsoluteChange, type RelativeChange, Step } from '../kernel/change.ts';
-import { halfPower } from '../kernel/halfPower.ts';
+import { halfPower, rootPower } from '../kernel/halfPower.ts';
 import type { Kernel } from '../kernel/kernel.ts';
-import { mostOfLine, mostOfPlate } from '../kernel/most.ts';
-import type { Sources } from './gaussSources.ts';
+import { mostOfLine, mostOfPlate, mostOfPower } from '../kernel/most.ts';
+import { Choice, type Sources } from './gaussSources.ts';
 import { type Extent, type See, Sight } from './sight.ts';
 import type { FieldValue, Spread } from './skeleton.ts';
 import type { Taylor } from './taylor.ts';
@@ -38,6 +38,7 @@ interface Adding {
 
 const sight = new Sight();
 const step = new Step();
+const choice = new Choice();
 const centre = new Float64Array(4);
 /** [low, high, rest] of one skel */
 const range = new Float64Array(3);
@@ -50,6 +51,8 @@ class Last {
   z = 0.5;
   radius = 0.5;
   isNothing = false;
+  /** whether `choice` is made */
+  isChosen = false;
 }
 
 export class Spreader {
@@ -59,6 +62,10 @@ export class Spreader {
   /** kernel units of a millimetre */
   readonly #per: number;
   readonly #least: number;
+  /** of powers: what is added to r², n, and the field of a line without end at distance 1; 0 where that is not all there is to it */
+  readonly #core: number;
+  readonly #power: number;
+  readonly #line: number;
   readonly #see: See;
   readonly #sources: Sources | null;
 
@@ -79,12 +86,22 @@ export class Spreader {
     this.#per = per;
     const { floor2 } = kernel;
     this.#least = Math.sqrt(extent.dimension === 2 ? floor2.plate : floor2.line);
+    const { change, wholeLine } = kernel;
+    const isPower = change.type === 'relative';
+    this.#core = isPower ? change.core : 0;
+    this.#power = isPower ? change.power(exponent) : 0;
+    const isLine = isPower && extent.dimension === 1;
+    this.#line = isLine && wholeLine ? wholeLine(1 - this.#core, exponent) : 0;
   }
 
   /** The largest |F| at that squared distance or farther. */
   most(r2: number): number {
     const { dimension, size, turns, most } = this.#extent;
     const n = this.#exponent;
+    if (this.#line > 0) {
+      const at = this.#core + Math.max(r2, this.#least * this.#least);
+      return most * mostOfPower(at, this.#power, size, this.#line);
+    }
     if (dimension === 1) return most * mostOfLine(this.#kernel, r2, size, n);
     if (dimension === 2) return most * mostOfPlate(this.#kernel, r2, size, turns, n);
     return most * this.#kernel.value(Math.max(r2, this.#least * this.#least), n);
@@ -114,7 +131,7 @@ export class Spreader {
     if (this.#sources) change.cubic(step);
     else change.factors(step);
     if (whole * step.bend > most) return Infinity;
-    const off = this.#bent(change, whole);
+    const off = this.#sources ? this.#choose(this.#sources, whole) : 0;
     return (whole + off) * step.bend + off + MARGIN * whole + sight.slack;
   }
 
@@ -152,22 +169,23 @@ export class Spreader {
       field.add(x, y, z, factor, out);
       return WITH_GRADIENT;
     }
-    this.#bent(change, this.most(step.r * step.r));
-    sources.add(x, y, z, factor, sources.count, out);
-    return sources.count * POINT;
+    if (!last.isChosen) {
+      change.cubic(step);
+      this.#choose(sources, this.most(step.r * step.r));
+    }
+    const { count } = choice;
+    sources.add(x, y, z, factor, count, out);
+    return count * POINT;
   }
 
-  /** Sees to `bend` as what the stand-in's polynomial leaves out, and says by how much its sources are off. */
-  #bent(change: RelativeChange, whole: number): number {
-    if (!this.#sources) {
-      change.factors(step);
-      return 0;
-    }
-    change.cubic(step);
+  /** As many sources as what the polynomial leaves out allows; by how much they are off. */
+  #choose(sources: Sources, whole: number): number {
     const { near } = step;
     const { size, most } = this.#extent;
-    const field = most * size * this.#kernel.value(near * near, this.#exponent);
-    return field * this.#sources.error(near, (SOURCES * step.bend * whole) / field);
+    const field = most * size * rootPower(1 / (this.#core + near * near), this.#power);
+    sources.choose(near, (SOURCES * step.bend * whole) / field, choice);
+    last.isChosen = true;
+    return field * choice.off;
   }
 
   /** Sees to the step and the sight; whether the ball is beyond the support. */
@@ -177,6 +195,7 @@ export class Spreader {
       return last.isNothing;
     }
     last.isNothing = this.#look(x, y, z, radius);
+    last.isChosen = false;
     last.spreader = this;
     last.x = x;
     last.y = y;
