@@ -8,6 +8,7 @@
  */
 import { shortArray } from '../math/slab.ts';
 import type { Vec3 } from '../math/vec.ts';
+import { Ball } from '../skeleton/ball.ts';
 import { SPREAD } from '../skeleton/skeleton.ts';
 import { shiftTaylor, TAYLOR } from '../skeleton/taylor.ts';
 import { TEST, WITH_GRADIENT } from '../skeleton/work.ts';
@@ -23,8 +24,8 @@ const HALVINGS = 8;
 /** of T, however large cells are: intervals want no more */
 const MOST_MISSED = 1e-2;
 
-/** A ball about (x, y, z) in the frame of the leaf, and the cube in it. */
-export interface CutBall {
+/** A ball in the frame of the leaf, and the cube in it. */
+export interface Cut {
   readonly at: Vec3;
   readonly radius: number;
   /** of the cube's edge, in the world */
@@ -58,28 +59,28 @@ class Scratch {
 const scratch = new Scratch();
 const spread = new Float64Array(SPREAD);
 const range = new Float64Array(2);
+const ball = new Ball();
 
 /** What of `outer`, the list of a cube around, matters in a ball; the surface may be off by `allowed` mm, nearly. */
-export function cut(whole: WholeSum, outer: NearList, ball: CutBall, allowed: number): NearList {
+export function cut(whole: WholeSum, outer: NearList, cube: Cut, allowed: number): NearList {
   const { threshold, steep, tally } = whole;
   const { terms } = outer;
-  const far = movedFar(outer.far, ball.at);
+  const far = movedFar(outer.far, cube.at);
   const budget = Math.min(allowed * steep, MOST_MISSED * threshold) - outer.error;
   scratch.fit(terms.length);
   scratch.error = 0;
   spread.fill(0);
+  ball.set(cube.at[0], cube.at[1], cube.at[2], cube.radius);
   tally.work += TEST * terms.length;
-  tell(whole, terms, ball, budget, far);
-  if (scratch.open > 0) settle(whole, terms, ball, budget, far);
+  tell(whole, terms, budget, far);
+  if (scratch.open > 0) settle(whole, terms, budget, far);
   tally.work += (WITH_GRADIENT + TEST) * scratch.near;
   const near = scratch.near === terms.length ? terms : nearOf(terms);
-  return ranged(whole, near, far, ball, outer.error + scratch.error);
+  return ranged(whole, near, far, cube, outer.error + scratch.error);
 }
 
 /** Sees to all terms that are surely near or far. */
-function tell(whole: WholeSum, terms: readonly NearTerm[], ball: CutBall, budget: number, far: Far): void {
-  const { radius } = ball;
-  const [x, y, z] = ball.at;
+function tell(whole: WholeSum, terms: readonly NearTerm[], budget: number, far: Far): void {
   const { missed, fates } = scratch;
   const share = budget / terms.length;
   let open = 0;
@@ -88,16 +89,16 @@ function tell(whole: WholeSum, terms: readonly NearTerm[], ball: CutBall, budget
     const term = terms[i]!;
     const { field, factor } = term;
     const size = Math.abs(factor);
-    const misses = size * field.missed(x, y, z, radius, budget / size);
+    const misses = size * field.missed(ball, budget / size);
     if (misses <= share) {
-      takeFar(whole, term, ball, misses, far);
+      takeFar(whole, term, misses, far);
       fates[i] = FAR;
     } else if (misses <= budget) {
       missed[i] = misses;
       fates[i] = OPEN;
       open++;
     } else {
-      field.spread(x, y, z, radius, factor, spread);
+      field.spread(ball, factor, spread);
       fates[i] = NEAR;
       near++;
     }
@@ -107,17 +108,15 @@ function tell(whole: WholeSum, terms: readonly NearTerm[], ball: CutBall, budget
 }
 
 /** Sees to those that were left open. */
-function settle(whole: WholeSum, terms: readonly NearTerm[], ball: CutBall, budget: number, far: Far): void {
-  const { radius } = ball;
-  const [x, y, z] = ball.at;
+function settle(whole: WholeSum, terms: readonly NearTerm[], budget: number, far: Far): void {
   const { missed, fates } = scratch;
   const most = cutFor(terms.length, budget);
   for (let i = 0; i < terms.length; i++) {
     if (fates[i] !== OPEN) continue;
     const term = terms[i]!;
-    if (missed[i]! <= most) takeFar(whole, term, ball, missed[i]!, far);
+    if (missed[i]! <= most) takeFar(whole, term, missed[i]!, far);
     else {
-      term.field.spread(x, y, z, radius, term.factor, spread);
+      term.field.spread(ball, term.factor, spread);
       fates[i] = NEAR;
       scratch.near++;
     }
@@ -127,13 +126,12 @@ function settle(whole: WholeSum, terms: readonly NearTerm[], ball: CutBall, budg
 function takeFar(
   { threshold, tally }: WholeSum,
   { field, factor, colour }: NearTerm,
-  { at, radius }: CutBall,
   missed: number,
   far: Far,
 ): void {
   const { taylor } = far;
   const before = taylor[0]!;
-  tally.work += field.standIn(at[0], at[1], at[2], radius, factor, taylor);
+  tally.work += field.standIn(ball, factor, taylor);
   const added = taylor[0]! - before;
   addColour(far.colour, added - UNSEEN * threshold, colour);
   scratch.error += missed + ROUNDING * Math.abs(added);
@@ -183,7 +181,7 @@ function ranged(
   { threshold, frame }: WholeSum,
   terms: readonly NearTerm[],
   far: Far,
-  { radius, half, off }: CutBall,
+  { radius, half, off }: Cut,
   error: number,
 ): NearList {
   const { taylor } = far;

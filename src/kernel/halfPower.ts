@@ -4,8 +4,10 @@ import { log } from '../math/log.ts';
 
 export const halfPower = (q: number, n: number): number => rootPower(1 / q, n);
 
-/** i^(n/2) */
-export function rootPower(i: number, n: number): number {
+/** i^(n/2): that of the Cauchy kernel in so few words that engines put it in place of the call. */
+export const rootPower = (i: number, n: number): number => (n === 4 ? i * i : otherPower(i, n));
+
+function otherPower(i: number, n: number): number {
   switch (n) {
     case 1:
       return Math.sqrt(i);
@@ -13,8 +15,6 @@ export function rootPower(i: number, n: number): number {
       return i;
     case 3:
       return i * Math.sqrt(i);
-    case 4:
-      return i * i;
     case 5:
       return i * i * Math.sqrt(i);
     case 6:

@@ -10,23 +10,25 @@ import type { RelativeChange } from '../kernel/change.ts';
 import { rootPower } from '../kernel/halfPower.ts';
 import type { LineFrame } from '../kernel/kernel.ts';
 import { GAUSS, type GaussPoints } from '../math/gaussLegendre.ts';
+import type { Ball } from './ball.ts';
 import { addSource, type Taylor } from './taylor.ts';
 
-/** How many points were taken, and by how much they are off. Mutable. */
+/** How many points are taken. Mutable. */
 export class Choice {
-  count: GaussPoints = 1;
+  /** kernel units: no place is nearer */
+  near = 0.5;
+  /** what the points may be off by, if they can; what they are */
+  enough = 0.5;
   off = 0.5;
+  count: GaussPoints = 1;
 }
 
 /** What of a skel is made of points. */
 export interface Sources {
-  /**
-   * Chooses as many points as `enough` allows; that and what they are off by in parts of most · l · k(near), at all places that are
-   * `near` or farther (kernel units).
-   */
-  choose(near: number, enough: number, out: Choice): void;
-  /** Adds `factor` times the polynomial of `count` points about (x, y, z), mm. */
-  add(x: number, y: number, z: number, factor: number, count: GaussPoints, out: Taylor): void;
+  /** Sees to `count`, as few as `enough` allows, and `off`. */
+  choose(choice: Choice): void;
+  /** Adds `factor` times the polynomial of `count` points about the centre of the ball. */
+  add(ball: Ball, factor: number, count: GaussPoints, out: Taylor): void;
 }
 
 const MOST = 6;
@@ -38,6 +40,7 @@ const POINT = 4;
 export class GaussSources implements Sources {
   readonly #core: number;
   readonly #exponent: number;
+  readonly #most: number;
   readonly #frame: LineFrame;
   /** the first end and the direction */
   readonly #a: Float64Array;
@@ -59,6 +62,7 @@ export class GaussSources implements Sources {
   ) {
     this.#core = change.core;
     this.#exponent = change.power(frame.exponent);
+    this.#most = most;
     this.#frame = frame;
     this.#a = a;
     this.#u = u;
@@ -68,9 +72,13 @@ export class GaussSources implements Sources {
     this.#errors = errors(bends, this.#exponent);
   }
 
-  choose(near: number, enough: number, out: Choice): void {
+  choose(choice: Choice): void {
     const errors = this.#errors;
-    const x = this.#frame.length / Math.sqrt(this.#core + near * near);
+    const { length } = this.#frame;
+    const q = 1 / (this.#core + choice.near * choice.near);
+    const field = this.#most * length * rootPower(q, this.#exponent);
+    const enough = choice.enough / field;
+    const x = length * Math.sqrt(q);
     // x^(2G − 2) and, where there is one, x^(2G − 3)
     let even = 1;
     let odd = 0;
@@ -78,15 +86,15 @@ export class GaussSources implements Sources {
     for (let count = 1; count <= MOST; count++) {
       const at = 4 * count;
       off = even * (errors[at + 2]! + x * (errors[at + 1]! + x * errors[at]!)) + odd * errors[at + 3]!;
-      out.count = count as GaussPoints;
+      choice.count = count as GaussPoints;
       if (off <= enough) break;
       odd = even * x;
       even = odd * x;
     }
-    out.off = off;
+    choice.off = field * off;
   }
 
-  add(x: number, y: number, z: number, factor: number, count: GaussPoints, out: Taylor): void {
+  add({ x, y, z }: Ball, factor: number, count: GaussPoints, out: Taylor): void {
     const points = this.#points[count] ?? this.#made(count);
     const core = this.#core;
     const n = this.#exponent;

@@ -7,6 +7,7 @@
  */
 import { type Kernel, type KernelParams, LineFrame } from '../kernel/kernel.ts';
 import type { Vec3 } from '../math/vec.ts';
+import type { Ball } from './ball.ts';
 import { checkedParams, checkNumbers, checkPlaces, reach, SHORTEST, whole } from './binding.ts';
 import { boxOf } from './boxOf.ts';
 import { segmentSpreader } from './segmentSpread.ts';
@@ -111,16 +112,12 @@ class SegmentField implements SkelField {
     // names that the quick form does not have itself
     return Object.assign(quick, {
       box: this.box,
-      missed: (x: number, y: number, z: number, radius: number, most: number) =>
-        this.#spreader.missed(x, y, z, radius, most),
+      missed: (ball: Ball, most: number) => this.#spreader.missed(ball, most),
       source: this,
-      apart: (other: SkelField, x: number, y: number, z: number, radius: number) =>
-        this.apart(other, x, y, z, radius),
-      standIn: (x: number, y: number, z: number, radius: number, factor: number, out: Taylor) =>
-        this.#spreader.standIn(quick, x, y, z, radius, factor, out),
+      apart: (other: SkelField, ball: Ball) => this.apart(other, ball),
+      standIn: (ball: Ball, factor: number, out: Taylor) => this.#spreader.standIn(quick, ball, factor, out),
       offset: (threshold: number) => this.offset(threshold),
-      spread: (x: number, y: number, z: number, radius: number, factor: number, out: Spread) =>
-        this.#spreader.add(quick, x, y, z, radius, factor, out),
+      spread: (ball: Ball, factor: number, out: Spread) => this.#spreader.add(quick, ball, factor, out),
     });
   }
 
@@ -130,12 +127,12 @@ class SegmentField implements SkelField {
     return spreader.most(0) === 0 ? 0 : this.#unit * reached();
   }
 
-  missed(x: number, y: number, z: number, radius: number, most: number): number {
-    return this.#spreader.missed(x, y, z, radius, most);
+  missed(ball: Ball, most: number): number {
+    return this.#spreader.missed(ball, most);
   }
 
   /** Of places that are as far along, and of their weights times the length. */
-  apart(other: SkelField, x: number, y: number, z: number, radius: number): number {
+  apart(other: SkelField, ball: Ball): number {
     const found = other instanceof SegmentField ? other : (other as Partial<Quick>).source;
     if (!found || found.#kernel !== this.#kernel || found.#per !== this.#per) return Infinity;
     if (found.#frame.exponent !== this.#frame.exponent) return Infinity;
@@ -147,15 +144,15 @@ class SegmentField implements SkelField {
       theirs *= found.#frame.length;
       mass += Math.abs(this.#frame.weights[k]! * own - found.#frame.weights[k]! * theirs);
     }
-    return this.#spreader.apart(x, y, z, radius, shift, mass);
+    return this.#spreader.apart(ball, shift, mass);
   }
 
-  standIn(x: number, y: number, z: number, radius: number, factor: number, out: Taylor): number {
-    return this.#spreader.standIn(this, x, y, z, radius, factor, out);
+  standIn(ball: Ball, factor: number, out: Taylor): number {
+    return this.#spreader.standIn(this, ball, factor, out);
   }
 
-  spread(x: number, y: number, z: number, radius: number, factor: number, out: Spread): void {
-    this.#spreader.add(this, x, y, z, radius, factor, out);
+  spread(ball: Ball, factor: number, out: Spread): void {
+    this.#spreader.add(this, ball, factor, out);
   }
 
   value(x: number, y: number, z: number): number {
