@@ -34,25 +34,23 @@ export interface Cut {
   readonly off: number;
 }
 
-/** What becomes of a term. */
-const FAR = 0;
-const OPEN = 1;
-const NEAR = 2;
-
 /** The same for all cubes, one after the other. */
 class Scratch {
-  missed = new Float64Array(64);
-  fates = new Uint8Array(64);
-  /** missed, of those that are far */
-  error = 0.5;
-  /** how many are open, and near */
-  open = 0;
+  /** which terms are near */
+  isNear = new Uint8Array(64);
   near = 0;
+  /** missed of those that are far */
+  error = 0.5;
+  /** those that are left open, by their places in the list, and what they miss */
+  places = new Int32Array(64);
+  missed = new Float64Array(64);
+  open = 0;
 
   fit(count: number): void {
     if (this.missed.length >= count) return;
+    this.isNear = new Uint8Array(2 * count);
+    this.places = new Int32Array(2 * count);
     this.missed = new Float64Array(2 * count);
-    this.fates = new Uint8Array(2 * count);
   }
 }
 
@@ -81,43 +79,40 @@ export function cut(whole: WholeSum, outer: NearList, cube: Cut, allowed: number
 
 /** Sees to all terms that are surely near or far. */
 function tell(whole: WholeSum, terms: readonly NearTerm[], budget: number, far: Far): void {
-  const { missed, fates } = scratch;
+  const { isNear, places, missed } = scratch;
   const share = budget / terms.length;
-  let open = 0;
   let near = 0;
+  let open = 0;
   for (let i = 0; i < terms.length; i++) {
     const term = terms[i]!;
-    const { field, factor } = term;
-    const size = Math.abs(factor);
-    const misses = size * field.missed(ball, budget / size);
-    if (misses <= share) {
-      takeFar(whole, term, misses, far);
-      fates[i] = FAR;
-    } else if (misses <= budget) {
-      missed[i] = misses;
-      fates[i] = OPEN;
-      open++;
+    const size = Math.abs(term.factor);
+    const misses = size * term.field.missed(ball, budget / size);
+    isNear[i] = 0;
+    if (misses <= share) takeFar(whole, term, misses, far);
+    else if (misses <= budget) {
+      places[open] = i;
+      missed[open++] = misses;
     } else {
-      field.spread(ball, factor, spread);
-      fates[i] = NEAR;
+      term.field.spread(ball, term.factor, spread);
+      isNear[i] = 1;
       near++;
     }
   }
-  scratch.open = open;
   scratch.near = near;
+  scratch.open = open;
 }
 
 /** Sees to those that were left open. */
 function settle(whole: WholeSum, terms: readonly NearTerm[], budget: number, far: Far): void {
-  const { missed, fates } = scratch;
+  const { isNear, places, missed, open } = scratch;
   const most = cutFor(terms.length, budget);
-  for (let i = 0; i < terms.length; i++) {
-    if (fates[i] !== OPEN) continue;
+  for (let k = 0; k < open; k++) {
+    const i = places[k]!;
     const term = terms[i]!;
-    if (missed[i]! <= most) takeFar(whole, term, missed[i]!, far);
+    if (missed[k]! <= most) takeFar(whole, term, missed[k]!, far);
     else {
       term.field.spread(ball, term.factor, spread);
-      fates[i] = NEAR;
+      isNear[i] = 1;
       scratch.near++;
     }
   }
@@ -148,31 +143,31 @@ function movedFar({ centre, taylor, colour }: Far, at: Vec3): Far {
 }
 
 function nearOf(terms: readonly NearTerm[]): readonly NearTerm[] {
-  const { fates } = scratch;
+  const { isNear } = scratch;
   const near: NearTerm[] = [];
-  for (let i = 0; i < terms.length; i++) if (fates[i] === NEAR) near.push(terms[i]!);
+  for (let i = 0; i < terms.length; i++) if (isNear[i] === 1) near.push(terms[i]!);
   return near;
 }
 
 /** The largest cut for which all that is not above it adds up to no more than the budget, nearly. */
 function cutFor(count: number, budget: number): number {
   const room = budget - scratch.error;
-  if (openTo(budget, count) <= room) return budget;
+  if (openTo(budget) <= room) return budget;
   let low = budget / count;
   let high = budget;
   for (let i = 0; i < HALVINGS; i++) {
     const most = Math.sqrt(low * high);
-    if (openTo(most, count) <= room) low = most;
+    if (openTo(most) <= room) low = most;
     else high = most;
   }
   return low;
 }
 
 /** Of those left open all that miss no more than that, added up. */
-function openTo(most: number, count: number): number {
-  const { missed, fates } = scratch;
+function openTo(most: number): number {
+  const { missed, open } = scratch;
   let sum = 0;
-  for (let i = 0; i < count; i++) if (fates[i] === OPEN && missed[i]! <= most) sum += missed[i]!;
+  for (let k = 0; k < open; k++) if (missed[k]! <= most) sum += missed[k]!;
   return sum;
 }
 

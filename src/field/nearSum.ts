@@ -57,9 +57,6 @@ export function nearSum(
 }
 
 class NearSum implements Near {
-  readonly low: number;
-  readonly high: number;
-  readonly error: number;
   readonly branches = 1;
   readonly #whole: WholeSum;
   readonly #list: NearList;
@@ -67,9 +64,18 @@ class NearSum implements Near {
   constructor(whole: WholeSum, list: NearList) {
     this.#whole = whole;
     this.#list = list;
-    this.error = list.error;
-    this.low = list.low;
-    this.high = list.high;
+  }
+
+  get low(): number {
+    return this.#list.low;
+  }
+
+  get high(): number {
+    return this.#list.high;
+  }
+
+  get error(): number {
+    return this.#list.error;
   }
 
   get plain(): Colour | null {
