@@ -62,7 +62,7 @@ export function* culling(whole: Near, lattice: Lattice): Generator<number, Brick
       const isInside = near.low > 0 && !isAtBorder(counts, i, j, k, size);
       if (isInside) fillInside(grid, counts, i, j, k, size);
       else if (size === 1) active.push({ i, j, k, near });
-      else next.push(...eighths(i, j, k, size / 2, near, counts));
+      else addEighths(next, i, j, k, size / 2, near, counts);
       if (n % BATCH === BATCH - 1) yield (n / cubes.length + 1) / (2 * size);
     }
     if (size === 1) break;
@@ -105,13 +105,20 @@ export function cubeWithin(
   );
 }
 
-function eighths(i: number, j: number, k: number, half: number, outer: Near, [nx, ny, nz]: Vec3): Cube[] {
-  return Array.from({ length: 8 }, (_, corner) => ({
-    i: i + (corner & 1) * half,
-    j: j + ((corner >> 1) & 1) * half,
-    k: k + (corner >> 2) * half,
-    outer,
-  })).filter((cube) => cube.i < nx && cube.j < ny && cube.k < nz);
+function addEighths(
+  cubes: Cube[],
+  i: number,
+  j: number,
+  k: number,
+  half: number,
+  outer: Near,
+  [nx, ny, nz]: Vec3,
+): void {
+  for (let z = k; z <= k + half && z < nz; z += half) {
+    for (let y = j; y <= j + half && y < ny; y += half) {
+      for (let x = i; x <= i + half && x < nx; x += half) cubes.push({ i: x, j: y, k: z, outer });
+    }
+  }
 }
 
 /** Nothing is known beyond: what is inside there is cut off. */

@@ -100,7 +100,7 @@ export interface NearLeaf {
 export interface Far {
   readonly centre: Vec3;
   readonly taylor: Taylor;
-  /** what they weigh in the mean of colours at the centre, and red, green, blue times that */
+  /** what they weigh in the mean of colours at the centre, and red, green, blue times that; nothing where all are of one colour */
   readonly colour: Float64Array;
 }
 

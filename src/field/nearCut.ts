@@ -63,7 +63,7 @@ const ball = new Ball();
 export function cut(whole: WholeSum, outer: NearList, cube: Cut, allowed: number): NearList {
   const { threshold, steep, tally } = whole;
   const { terms } = outer;
-  const far = movedFar(outer.far, cube.at);
+  const far = movedFar(whole, outer.far, cube.at);
   const budget = Math.min(allowed * steep, MOST_MISSED * threshold) - outer.error;
   scratch.fit(terms.length);
   scratch.error = 0;
@@ -119,7 +119,7 @@ function settle(whole: WholeSum, terms: readonly NearTerm[], budget: number, far
 }
 
 function takeFar(
-  { threshold, tally }: WholeSum,
+  { threshold, tally, plain }: WholeSum,
   { field, factor, colour }: NearTerm,
   missed: number,
   far: Far,
@@ -128,24 +128,21 @@ function takeFar(
   const before = taylor[0]!;
   tally.work += field.standIn(ball, factor, taylor);
   const added = taylor[0]! - before;
-  addColour(far.colour, added - UNSEEN * threshold, colour);
+  if (!plain) addColour(far.colour, added - UNSEEN * threshold, colour);
   scratch.error += missed + ROUNDING * Math.abs(added);
 }
 
-function movedFar({ centre, taylor, colour }: Far, at: Vec3): Far {
+function movedFar({ plain }: WholeSum, { centre, taylor, colour }: Far, at: Vec3): Far {
   const moved = shortArray(TAYLOR);
   shiftTaylor(taylor, at[0] - centre[0], at[1] - centre[1], at[2] - centre[2], moved);
-  return {
-    centre: at,
-    taylor: moved,
-    colour: Float64Array.of(colour[0]!, colour[1]!, colour[2]!, colour[3]!),
-  };
+  return { centre: at, taylor: moved, colour: plain ? colour : colour.slice() };
 }
 
 function nearOf(terms: readonly NearTerm[]): readonly NearTerm[] {
   const { isNear } = scratch;
-  const near: NearTerm[] = [];
-  for (let i = 0; i < terms.length; i++) if (isNear[i] === 1) near.push(terms[i]!);
+  const near = new Array<NearTerm>(scratch.near);
+  let count = 0;
+  for (let i = 0; i < terms.length; i++) if (isNear[i] === 1) near[count++] = terms[i]!;
   return near;
 }
 
