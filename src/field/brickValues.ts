@@ -7,7 +7,8 @@
  * is proven, says otherwise, it is believed.
  */
 
-import { BEFORE, BrickNodes, inCommon, type LeafNodes } from './brickNodes.ts';
+import { Slab } from '../math/slab.ts';
+import { BEFORE, BrickNodes, inCommon, type LeafNodes, pairsOf } from './brickNodes.ts';
 import { around, type Brick, type Bricks, INSIDE, OUTSIDE } from './bricks.ts';
 import { CORNERS, SIDE } from './hermite.ts';
 import { BRICK } from './lattice.ts';
@@ -21,6 +22,7 @@ const MIDDLE = 13;
 const LEAST = 1e-30;
 
 const SAME_CORNERS = inCommon(SIDE);
+const PAIRS = pairsOf(SAME_CORNERS);
 
 /** By the brick around, of 27, the corners that it has too. */
 const TOUCHING = Array.from({ length: 27 }, (_, n) => {
@@ -56,6 +58,10 @@ export class BrickValues {
   #forgotten = 0;
   /** whether the field is inside at each side of the lattice: −x, x, −y, y, −z, z */
   readonly exits = [false, false, false, false, false, false];
+  readonly #slab = new Slab();
+  /** of the brick at hand, and of those before it around */
+  readonly #mine = new Float64Array(CORNERS);
+  readonly #nodesBefore: (LeafNodes | null)[] = Array.from({ length: BEFORE }, () => null);
   #before: Before | null;
   readonly #isLive: boolean;
 
@@ -77,7 +83,7 @@ export class BrickValues {
   /** Of brick `place` in `active`, 125 values; bricks come in order. */
   fill(place: number): Float64Array {
     const brick = this.#bricks.active[place]!;
-    const values = new Float64Array(CORNERS);
+    const values = this.#slab.take(CORNERS);
     const own: LeafNodes = new Map();
     around(this.#bricks, brick, this.#around);
     this.#enter(brick, own);
@@ -90,7 +96,7 @@ export class BrickValues {
       this.#filled.push({ values, nodes: kept.nodes });
       return values;
     }
-    const mine = new Float64Array(CORNERS);
+    const mine = this.#mine;
     const slack = brick.near.corners(this.#nodes, mine);
     for (let c = 0; c < CORNERS; c++) {
       if (wanted[c] === 0) continue;
@@ -139,23 +145,26 @@ export class BrickValues {
   }
 
   #enter({ i, j, k }: Brick, own: LeafNodes): void {
-    const before = Array.from(this.#around.subarray(0, BEFORE), (place) =>
-      place >= 0 ? this.#filled[place]!.nodes : null,
-    );
+    const before = this.#nodesBefore;
+    for (let n = 0; n < BEFORE; n++) {
+      const place = this.#around[n]!;
+      before[n] = place >= 0 ? this.#filled[place]!.nodes : null;
+    }
     this.#nodes.enter(BRICK * i, BRICK * j, BRICK * k, own, before);
   }
 
   /** What bricks before have. */
   #take(values: Float64Array): void {
     const { wanted } = this.#nodes;
-    for (let c = 0; c < CORNERS; c++) {
-      wanted[c] = 1;
-      for (const { brick, at } of SAME_CORNERS[c]!) {
-        const place = this.#around[brick]!;
-        if (place < 0) continue;
-        values[c] = this.#filled[place]!.values[at]!;
-        wanted[c] = 0;
-        break;
+    wanted.fill(1);
+    for (let brick = 0; brick < BEFORE; brick++) {
+      const place = this.#around[brick]!;
+      if (place < 0) continue;
+      const theirs = this.#filled[place]!.values;
+      const pairs = PAIRS[brick]!;
+      for (let p = 0; p < pairs.length; p += 2) {
+        values[pairs[p]!] = theirs[pairs[p + 1]!]!;
+        wanted[pairs[p]!] = 0;
       }
     }
   }

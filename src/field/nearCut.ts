@@ -6,7 +6,7 @@
  * around it. What is below an even share of the budget is far whatever the others are, and is taken at once. Tried: polynomials of the
  * first degree (lists twice as long, 1.5 × the work); a sort instead of halving a cut.
  */
-import { shortArray } from '../math/slab.ts';
+import { Slab } from '../math/slab.ts';
 import type { Vec3 } from '../math/vec.ts';
 import { Ball } from '../skeleton/ball.ts';
 import { SPREAD } from '../skeleton/skeleton.ts';
@@ -55,6 +55,7 @@ class Scratch {
 }
 
 const scratch = new Scratch();
+const slab = new Slab();
 const spread = new Float64Array(SPREAD);
 const range = new Float64Array(2);
 const ball = new Ball();
@@ -133,7 +134,7 @@ function takeFar(
 }
 
 function movedFar({ plain }: WholeSum, { centre, taylor, colour }: Far, at: Vec3): Far {
-  const moved = shortArray(TAYLOR);
+  const moved = slab.take(TAYLOR);
   shiftTaylor(taylor, at[0] - centre[0], at[1] - centre[1], at[2] - centre[2], moved);
   return { centre: at, taylor: moved, colour: plain ? colour : colour.slice() };
 }

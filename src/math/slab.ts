@@ -3,18 +3,20 @@
  * for a view. As long as one of them is held, all of its slab are.
  */
 
-/** numbers of a slab: 32 KiB */
-const SLAB = 4096;
+/** numbers: 32 KiB */
+const SIZE = 4096;
 
-let slab = new Float64Array(SLAB);
-let taken = 0;
+export class Slab {
+  #numbers = new Float64Array(0);
+  #taken = 0;
 
-/** Zeros; `count`: much less than a slab. */
-export function shortArray(count: number): Float64Array<ArrayBuffer> {
-  if (taken + count > SLAB) {
-    slab = new Float64Array(SLAB);
-    taken = 0;
+  /** Zeros; `count`: much less than a slab. */
+  take(count: number): Float64Array<ArrayBuffer> {
+    if (this.#taken + count > this.#numbers.length) {
+      this.#numbers = new Float64Array(SIZE);
+      this.#taken = 0;
+    }
+    this.#taken += count;
+    return this.#numbers.subarray(this.#taken - count, this.#taken);
   }
-  taken += count;
-  return slab.subarray(taken - count, taken);
 }
