@@ -97,9 +97,7 @@ export class BrickVertices {
     const a = this.at(c);
     point.enter(a[0], a[1], a[2], axis);
     const isSmooth =
-      near.branches === 1 &&
-      point.newton(near, this.#crossing(c, axis)) &&
-      point.sharpen(this.#whole, near.error);
+      near.branches === 1 && point.newton(near, this.#crossing(c, axis)) && point.sharpen(this.#whole, near);
     if (!isSmooth) {
       const end = c + AXES[axis]!;
       point.search(near, a, this.at(end), this.#own[c]!, this.#own[end]!);

@@ -22,6 +22,8 @@ export interface Near {
   readonly high: number;
   /** by how much values may be off in the cube */
   readonly error: number;
+  /** the same at a place in it, nearly: polynomials miss little near their centres */
+  errorAt(x: number, y: number, z: number): number;
   /** skels that a value asks */
   readonly asked: number;
   /** how many smooth fields its values come from; they change at creases */

@@ -75,7 +75,9 @@ export function cut(whole: WholeSum, outer: NearList, cube: Cut, allowed: number
   if (scratch.open > 0) settle(whole, terms, budget, far);
   tally.work += (WITH_GRADIENT + TEST) * scratch.near;
   const near = scratch.near === terms.length ? terms : nearOf(terms);
-  return ranged(whole, near, far, cube, outer.error + scratch.error);
+  const { error } = scratch;
+  const missed = error > 0 ? { at: cube.at, radius: cube.radius, error, outer: outer.missed } : outer.missed;
+  return { terms: near, far, missed, ...ranged(whole, far, cube, outer.error + error) };
 }
 
 /** Sees to all terms that are surely near or far. */
@@ -172,11 +174,10 @@ function openTo(most: number): number {
 /** From the spread of the near terms and the polynomial of the others. */
 function ranged(
   { threshold, frame }: WholeSum,
-  terms: readonly NearTerm[],
   far: Far,
   { radius, half, off }: Cut,
   error: number,
-): NearList {
+): Pick<NearList, 'error' | 'low' | 'high'> {
   const { taylor } = far;
   const within = frame ? radius : half;
   const bent = bendWithin(taylor, within);
@@ -190,10 +191,10 @@ function ranged(
   frame?.turn(spread);
   closed(spread, half, range);
   const [low, high] = [range[0]!, range[1]!];
-  if (!frame) return { terms, far, error, low, high };
+  if (!frame) return { error, low, high };
   const rounded = ROUNDING * Math.max(Math.abs(low), Math.abs(high));
   const { scale } = frame;
-  return { terms, far, error, low: scale * (low - rounded), high: scale * (high + rounded) };
+  return { error, low: scale * (low - rounded), high: scale * (high + rounded) };
 }
 
 /** What the terms of the second degree may add to the value in the middle. */

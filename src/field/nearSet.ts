@@ -75,6 +75,10 @@ export class NearSet implements Near {
     evaluateOf(this.#parts, this.#operation, this.#kind, x, y, z, out, this.#scratch);
   }
 
+  errorAt(x: number, y: number, z: number): number {
+    return this.#together(this.#parts.map((part) => part.errorAt(x, y, z)));
+  }
+
   colour(x: number, y: number, z: number, out: Float64Array): number {
     return colourOf(this.#parts, this.#operation, this.#kind, x, y, z, out, this.#scratch);
   }

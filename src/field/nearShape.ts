@@ -62,6 +62,10 @@ class NearShape implements Near {
     return [first, first + (facets?.count ?? 1)];
   }
 
+  errorAt(): number {
+    return 0;
+  }
+
   get plain(): Colour {
     return this.#whole.colour;
   }

@@ -19,7 +19,7 @@ import {
   type Way,
 } from './near.ts';
 import { cut } from './nearCut.ts';
-import { addColour, type NearList, type NearTerm, type WholeSum } from './nearList.ts';
+import { addColour, missedAt, type NearList, type NearTerm, type WholeSum } from './nearList.ts';
 import { type Colour, commonColour } from './node.ts';
 import { changeWithin } from './sumChange.ts';
 
@@ -47,13 +47,14 @@ export function nearSum(
     frame,
     tally,
     plain,
+    isCubic: terms.every(({ field }) => field.isCubic),
     first: terms[0]!.colour,
   };
   const taylor = new Float64Array(TAYLOR);
   taylor[0] = -threshold;
   const far = { centre: ORIGIN, taylor, colour: new Float64Array(4) };
   const numbered = terms.map((term, number): NearTerm => ({ ...term, number }));
-  return new NearSum(whole, { terms: numbered, far, error: 0, low: -Infinity, high: Infinity });
+  return new NearSum(whole, { terms: numbered, far, error: 0, missed: null, low: -Infinity, high: Infinity });
 }
 
 class NearSum implements Near {
@@ -84,6 +85,14 @@ class NearSum implements Near {
 
   get asked(): number {
     return this.#list.terms.length;
+  }
+
+  errorAt(x: number, y: number, z: number): number {
+    const { frame, isCubic } = this.#whole;
+    if (!isCubic) return this.#list.error;
+    if (!frame) return missedAt(this.#list.missed, x, y, z);
+    frame.enter(x, y, z);
+    return missedAt(this.#list.missed, frame.x, frame.y, frame.z);
   }
 
   value(x: number, y: number, z: number): number {

@@ -43,6 +43,7 @@ export class Warped implements SkelField {
   readonly #spread = new Float64Array(SPREAD);
   readonly #move = new Float64Array(2);
   readonly box: Box;
+  readonly isCubic = false;
   readonly #local = new Float64Array(TAYLOR);
 
   constructor(skel: SkelField, frame: Frame, section: Section, bx: number, by: number) {

@@ -76,6 +76,7 @@ function bind({ at, weight }: PointSkel, kernel: Kernel, params: KernelParams): 
       spreader.add(field, ball, scale, out);
     },
     missed: (ball, most) => spreader.missed(ball, most),
+    isCubic: change.type === 'relative',
     apart: () => Infinity,
     standIn: (ball, scale, out) => spreader.standIn(field, ball, scale, out),
   };

@@ -133,6 +133,7 @@ function bind(skel: PolygonSkel, kernel: Kernel, params: KernelParams): SkelFiel
       spreader.add(field, ball, scale, out);
     },
     missed: (ball, most) => spreader.missed(ball, most),
+    isCubic: false,
     apart: () => Infinity,
     standIn: (ball, scale, out) => spreader.standIn(field, ball, scale, out),
   };

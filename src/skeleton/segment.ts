@@ -35,7 +35,7 @@ function bind({ a, b, weights }: SegmentSkel, kernel: Kernel, params: KernelPara
   const [dx, dy, dz] = [b[0] - a[0], b[1] - a[1], b[2] - a[2]];
   const mm = lengthOf(dx, dy, dz);
   const box = boxOf([a, b]);
-  if (mm < SHORTEST) return { box, offset: () => 0, ...NOTHING };
+  if (mm < SHORTEST) return { box, offset: () => 0, isCubic: true, ...NOTHING };
   const field = new SegmentField(box, [a, b], mm, weights, kernel, checked);
   return field.quick() ?? field;
 }
@@ -60,6 +60,7 @@ const perp = new Float64Array(3);
  */
 class SegmentField implements SkelField {
   readonly box: Box;
+  readonly isCubic: boolean;
   readonly #kernel: Kernel;
   readonly #line: Kernel['line'];
   readonly #frame = new LineFrame();
@@ -99,6 +100,7 @@ class SegmentField implements SkelField {
       frame.weights[k] = weight * whole(this.#unit, k + 1 + kernel.homogeneity);
       if (weight !== 0) frame.degree = k;
     });
+    this.isCubic = kernel.change.type === 'relative';
     this.#spreader = segmentSpreader(kernel, frame, this.#a, this.#u, this.#per);
   }
 
@@ -112,6 +114,7 @@ class SegmentField implements SkelField {
     // names that the quick form does not have itself
     return Object.assign(quick, {
       box: this.box,
+      isCubic: this.isCubic,
       missed: (ball: Ball, most: number) => this.#spreader.missed(ball, most),
       source: this,
       apart: (other: SkelField, ball: Ball) => this.apart(other, ball),

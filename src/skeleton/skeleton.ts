@@ -41,6 +41,8 @@ export interface SkelField {
    * degree (points, segments), of the first (polygons), or nothing (kernels that are no powers). Says what it took (work.ts).
    */
   standIn(ball: Ball, factor: number, out: Taylor): number;
+  /** whether what the stand-in misses falls as the third power of the distance from the centre of the ball, nearly */
+  readonly isCubic: boolean;
   /** By how much the field may differ from that of a skel that was moved or weighted a little otherwise, within the ball; Infinity where that is not known. */
   apart(other: SkelField, ball: Ball): number;
   /** of the skel itself, without its field */

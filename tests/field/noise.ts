@@ -32,6 +32,7 @@ export function noise({ counts: [nx, ny, nz] }: Lattice, values: Float64Array): 
     low: -1,
     high: 1,
     error: 0,
+    errorAt: () => 0,
     asked: 1,
     branches: 1,
     span: [0, 1],
