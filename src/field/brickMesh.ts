@@ -11,7 +11,7 @@ import type { Brick, Bricks } from './bricks.ts';
 import { type BrickValues, CUT } from './brickValues.ts';
 import { AXES, BrickVertices } from './brickVertices.ts';
 import { CreaseFans } from './creaseFans.ts';
-import { AMBIGUOUS, CubeLoops, type Loops, plainLoops } from './cubeLoops.ts';
+import { AMBIGUOUS, CubeLoops, type Loops, MOST_CROSSINGS, plainLoops } from './cubeLoops.ts';
 import { EdgePoint } from './edgePoint.ts';
 import { CORNERS, SIDE } from './hermite.ts';
 import { BRICK } from './lattice.ts';
@@ -34,6 +34,9 @@ const CUBE = Int32Array.from(
 /** From the first corner of a cube to its edges, as BrickVertices numbers them; by corner + 8 axis. */
 const EDGES = Int32Array.from({ length: 24 }, (_, edge) => CUBE[edge & 7]! + CORNERS * (edge >> 3));
 
+/** Vertices of a loop at hand, by its length. */
+const RINGS = Array.from({ length: MOST_CROSSINGS + 1 }, (_, length) => Array.from({ length }, () => 0));
+
 export class BrickMesh {
   readonly #values: BrickValues;
   #before: BrickMesh | null;
@@ -42,7 +45,6 @@ export class BrickMesh {
   readonly #indices: number[] = [];
   readonly #loops = new CubeLoops();
   readonly #eight = new Float64Array(8);
-  readonly #ring: number[] = [];
   readonly #inside = new Uint8Array(CORNERS);
   readonly #point: EdgePoint;
   readonly #fans: CreaseFans;
@@ -80,7 +82,7 @@ export class BrickMesh {
     this.#brick = brick;
     this.#own = values;
     this.#isKept = isKept;
-    this.#vertices.enter(brick, values, isKept && this.#before ? this.#before.#store : null);
+    this.#vertices.enter(brick, values, inside, isKept && this.#before ? this.#before.#store : null);
     return true;
   }
 
@@ -131,11 +133,12 @@ export class BrickMesh {
     const { edges, ends, count, isTwisted } =
       AMBIGUOUS[mask] === 1 ? this.#decided(mask, c) : plainLoops(mask);
     const { onEdge } = this.#vertices;
-    const ring = this.#ring;
-    for (let loop = 0, at = 0; loop < count; loop++) {
-      ring.length = 0;
-      for (; at < ends[loop]!; at++) ring.push(onEdge[c + EDGES[edges[at]!]!]!);
+    for (let loop = 0, start = 0; loop < count; loop++) {
+      const length = ends[loop]! - start;
+      const ring = RINGS[length]!;
+      for (let i = 0; i < length; i++) ring[i] = onEdge[c + EDGES[edges[start + i]!]!]!;
       this.#fill(ring, c, loop, isTwisted[loop] === 1);
+      start += length;
     }
   }
 

@@ -44,15 +44,18 @@ export class BrickVertices {
     this.#brick = bricks.active[0]!;
   }
 
-  /** Goes to a brick with these values at its corners; `before`: the vertices of the mesh before an edit, where its field is the same. */
-  enter(brick: Brick, values: Float64Array, before: VertexStore | null): void {
+  /**
+   * Goes to a brick with these values at its corners, of which some are inside (1); `before`: the vertices of the mesh before an edit, where its
+   * field is the same.
+   */
+  enter(brick: Brick, values: Float64Array, inside: Uint8Array, before: VertexStore | null): void {
     this.#brick = brick;
     this.#own = values;
     for (let axis = 0; axis < 3; axis++) {
       const stride = AXES[axis]!;
       const along = ALONG[axis]!;
       for (let c = 0; c < CORNERS; c++) {
-        if (along[c] === BRICK || values[c]! > 0 === values[c + stride]! > 0) continue;
+        if (along[c] === BRICK || inside[c] === inside[c + stride]) continue;
         this.onEdge[c + CORNERS * axis] = this.#vertex(c, axis, before);
       }
     }
@@ -62,7 +65,9 @@ export class BrickVertices {
   numberOf(c: number): number {
     const { i, j, k } = this.#brick;
     const { counts } = this.#bricks.lattice;
-    const [x, y, z] = [BRICK * i + ACROSS_X[c]!, BRICK * j + ACROSS_Y[c]!, BRICK * k + ACROSS_Z[c]!];
+    const x = BRICK * i + ACROSS_X[c]!;
+    const y = BRICK * j + ACROSS_Y[c]!;
+    const z = BRICK * k + ACROSS_Z[c]!;
     return x + counts[0] * (y + counts[1] * z);
   }
 
