@@ -5,7 +5,7 @@
  * d² − h² never, because it loses all digits beyond an end. A segment of no length has no field (an integral over nothing);
  * a lump is a point skel.
  */
-import { type Kernel, type KernelParams, LineFrame } from '../kernel/kernel.ts';
+import { type Kernel, type KernelParams, type LineField, LineFrame } from '../kernel/kernel.ts';
 import type { Vec3 } from '../math/vec.ts';
 import type { Ball } from './ball.ts';
 import { checkedParams, checkNumbers, checkPlaces, reach, SHORTEST, whole } from './binding.ts';
@@ -112,16 +112,8 @@ class SegmentField implements SkelField {
     const quick = this.#kernel.linear?.(line);
     if (!quick) return null;
     // names that the quick form does not have itself
-    return Object.assign(quick, {
-      box: this.box,
-      isCubic: this.isCubic,
-      missed: (ball: Ball, most: number) => this.#spreader.missed(ball, most),
-      source: this,
-      apart: (other: SkelField, ball: Ball) => this.apart(other, ball),
-      standIn: (ball: Ball, factor: number, out: Taylor) => this.#spreader.standIn(quick, ball, factor, out),
-      offset: (threshold: number) => this.offset(threshold),
-      spread: (ball: Ball, factor: number, out: Spread) => this.#spreader.add(quick, ball, factor, out),
-    });
+    const own = { box: this.box, isCubic: this.isCubic, source: this, spreader: this.#spreader };
+    return Object.assign(quick, QUICK, own);
   }
 
   offset(threshold: number): number {
@@ -217,9 +209,29 @@ class SegmentField implements SkelField {
 }
 
 /** What a quick form knows of where it is from. */
-interface Quick {
+interface Quick extends LineField {
   readonly source: SegmentField;
+  readonly spreader: Spreader;
 }
+
+/** The same functions for all: those that each would bring along for itself are called at twice the price. */
+const QUICK = {
+  missed(this: Quick, ball: Ball, most: number): number {
+    return this.spreader.missed(ball, most);
+  },
+  standIn(this: Quick, ball: Ball, factor: number, out: Taylor): number {
+    return this.spreader.standIn(this, ball, factor, out);
+  },
+  spread(this: Quick, ball: Ball, factor: number, out: Spread): void {
+    this.spreader.add(this, ball, factor, out);
+  },
+  apart(this: Quick, other: SkelField, ball: Ball): number {
+    return this.source.apart(other, ball);
+  },
+  offset(this: Quick, threshold: number): number {
+    return this.source.offset(threshold);
+  },
+};
 
 const between = (a: Float64Array, b: Float64Array) => lengthOf(a[0]! - b[0]!, a[1]! - b[1]!, a[2]! - b[2]!);
 
