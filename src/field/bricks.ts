@@ -98,7 +98,7 @@ export function cubeWithin(
   const edge = BRICK * step;
   const half = 0.5 * size * edge;
   // what is missed above is missed in all cubes below: half as much a level
-  const missed = (MISSED * step) / size;
+  const missed = Math.min(MISSED * step, outer.mostMissed) / size;
   return outer.within(
     origin[0] + i * edge + half,
     origin[1] + j * edge + half,

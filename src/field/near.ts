@@ -51,6 +51,8 @@ export interface Near {
   corners(nodes: BrickCorners, out: Float64Array): number;
   /** of its values near the surface, a millimetre, nearly */
   readonly steep: number;
+  /** mm: by how much the surface may be off at most, however large cells are; more would make intervals wider */
+  readonly mostMissed: number;
   /**
    * By how much its values in the cube may differ from those of `newer`, the same tree after changes, in a cube around; Infinity where
    * that is not known. `stale`: by how much this field may be off already.

@@ -21,8 +21,8 @@ import { addColour, type NearList, type NearTerm, type WholeSum } from './nearLi
 const ROUNDING = 4e-15;
 /** how often the cut is halved, as a ratio */
 const HALVINGS = 8;
-/** of T, however large cells are: intervals want no more */
-const MOST_MISSED = 1e-2;
+/** of T: intervals want no more */
+export const MOST_MISSED = 1e-2;
 
 /** A ball in the frame of the leaf, and the cube in it. */
 export interface Cut {

@@ -36,6 +36,7 @@ export class NearSet implements Near {
   readonly span: readonly [first: number, end: number];
   readonly leaves: readonly [first: number, end: number];
   readonly steep: number;
+  readonly mostMissed: number;
   readonly plain: Colour | null;
   readonly #parts: readonly Near[];
   readonly #dropped: AllDropped | null;
@@ -53,6 +54,7 @@ export class NearSet implements Near {
     this.span = span;
     this.leaves = leaves;
     this.steep = parts.reduce((least, { steep }) => Math.min(least, steep), Infinity);
+    this.mostMissed = parts.reduce((least, { mostMissed }) => Math.min(least, mostMissed), Infinity);
     this.#parts = parts;
     this.#dropped = dropped;
     this.#operation = operation;

@@ -47,6 +47,7 @@ class NearShape implements Near {
   readonly high: number;
   readonly error = 0;
   readonly asked = 1;
+  readonly mostMissed = Infinity;
   readonly branches: number;
   readonly #whole: Whole;
 

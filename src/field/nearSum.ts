@@ -18,7 +18,7 @@ import {
   type Tally,
   type Way,
 } from './near.ts';
-import { cut } from './nearCut.ts';
+import { cut, MOST_MISSED } from './nearCut.ts';
 import { addColour, missedAt, type NearList, type NearTerm, type WholeSum } from './nearList.ts';
 import { type Colour, commonColour } from './node.ts';
 import { changeWithin } from './sumChange.ts';
@@ -149,6 +149,11 @@ class NearSum implements Near {
   get steep(): number {
     const { steep, frame } = this.#whole;
     return steep * (frame?.scale ?? 1);
+  }
+
+  get mostMissed(): number {
+    const { threshold, steep } = this.#whole;
+    return (MOST_MISSED * threshold) / steep;
   }
 
   get leaves(): readonly [number, number] {

@@ -33,6 +33,7 @@ export function noise({ counts: [nx, ny, nz] }: Lattice, values: Float64Array): 
     high: 1,
     error: 0,
     errorAt: () => 0,
+    mostMissed: Infinity,
     asked: 1,
     branches: 1,
     span: [0, 1],
