@@ -3,6 +3,7 @@
  * comes first, and interpolated; shapes are evaluated at the corners that no brick before has.
  */
 import { Slab } from '../math/slab.ts';
+import type { Vec3 } from '../math/vec.ts';
 import { FLOPS } from '../skeleton/work.ts';
 import {
   CORNERS,
@@ -147,12 +148,21 @@ export class BrickNodes implements BrickCorners {
 
   /** At a corner. */
   value(near: Near, c: number): number {
+    return near.value(...this.#at(c));
+  }
+
+  /** By how much that may be off. */
+  error(near: Near, c: number): number {
+    return near.errorAt(...this.#at(c));
+  }
+
+  #at(c: number): Vec3 {
     const { origin, step } = this.#lattice;
-    return near.value(
+    return [
       origin[0] + (this.#x + (c % SIDE)) * step,
       origin[1] + (this.#y + (Math.floor(c / SIDE) % SIDE)) * step,
       origin[2] + (this.#z + Math.floor(c / (SIDE * SIDE))) * step,
-    );
+    ];
   }
 
   /** What bricks before have. */

@@ -173,6 +173,7 @@ export class BrickValues {
   #asked(near: Near, c: number, known: number | null): number {
     const value = known ?? this.#nodes.value(near, c);
     if (Math.abs(value) > near.error * (1 + 1e-9)) return value;
+    if (Math.abs(value) > this.#nodes.error(near, c) * (1 + 1e-9)) return value;
     const whole = near.error > 0 ? this.#nodes.value(this.whole, c) : value;
     return Number.isNaN(whole) ? -LEAST : whole;
   }
