@@ -181,4 +181,4 @@ test('trees drawn by lot, one after the other, are those made at once (30 pairs,
       expect(topology(mesh), `seed ${seed}`).toMatchObject({ watertight: true, finite: true });
     }
   }
-});
+}, 120_000);
