@@ -1,23 +1,21 @@
 /**
- * Marching cubes over the active bricks: by loops around each cube (cubeLoops.ts), whose vertices are on edges of the lattice, each
- * edge with one at most, so that the mesh is closed across bricks. Where smooth fields meet in an edge (hard unions, boxes) the
- * loop gets a point on the crease (loopPoints.ts) in its middle.
+ * Marching cubes over the active bricks: by loops around each cube (cubeLoops.ts), whose vertices are on edges of the lattice
+ * (brickVertices.ts). Where smooth fields meet in an edge (hard unions, boxes) the loop gets a point on the crease (loopPoints.ts) in its
+ * middle.
  *
  * Chosen over dual contouring, whose surfaces need repairs to be manifold, and over marching tetrahedra, which have more than
  * twice the triangles for the same field.
  */
-import { add3, length3, scale3 } from '../math/tuple.ts';
-import type { Vec3 } from '../math/vec.ts';
 import type { Mesh } from '../mesh/mesh.ts';
-import { FLOPS } from '../skeleton/work.ts';
 import type { Brick, Bricks } from './bricks.ts';
 import { type BrickValues, CUT } from './brickValues.ts';
+import { AXES, BrickVertices } from './brickVertices.ts';
 import { CreaseFans } from './creaseFans.ts';
-import { AMBIGUOUS, CubeLoops } from './cubeLoops.ts';
-import { CROSSING_FLOPS, cubicCrossing, EdgePoint } from './edgePoint.ts';
+import { AMBIGUOUS, CubeLoops, type Loops, MOST_CROSSINGS, plainLoops } from './cubeLoops.ts';
+import { EdgePoint } from './edgePoint.ts';
 import { CORNERS, SIDE } from './hermite.ts';
 import { isolatedSpots } from './isolated.ts';
-import { BRICK, nodesBefore } from './lattice.ts';
+import { BRICK } from './lattice.ts';
 import { type LoopPoint, LoopPoints } from './loopPoints.ts';
 import { eachTriangle } from './loopTriangles.ts';
 import { meanNormals } from './meanNormals.ts';
@@ -25,7 +23,7 @@ import type { Tally } from './near.ts';
 import { type Thin, thinOf } from './thin.ts';
 import type { ThinSpot } from './thinWalls.ts';
 import { unseenIn } from './unseen.ts';
-import { NO_BRANCH, type Vertex, VertexStore } from './vertexStore.ts';
+import { NO_BRANCH, onSurface, VertexStore } from './vertexStore.ts';
 
 /** A mesh painted by the field. */
 export interface FieldMesh extends Mesh {
@@ -34,27 +32,27 @@ export interface FieldMesh extends Mesh {
   readonly thin?: Thin | null;
 }
 
-const AXES = [1, SIDE, SIDE * SIDE] as const;
 /** From the first corner of a cube to the others. */
-const CUBE = Array.from(
+const CUBE = Int32Array.from(
   { length: 8 },
-  (_, corner) => (corner & 1) + SIDE * ((corner >> 1) & 1) + SIDE * SIDE * (corner >> 2),
+  (_, corner) => (corner & 1) * AXES[0] + ((corner >> 1) & 1) * AXES[1] + (corner >> 2) * AXES[2],
 );
+/** From the first corner of a cube to its edges, as BrickVertices numbers them; by corner + 8 axis. */
+const EDGES = Int32Array.from({ length: 24 }, (_, edge) => CUBE[edge & 7]! + CORNERS * (edge >> 3));
+
+/** Vertices of a loop at hand, by its length. */
+const RINGS = Array.from({ length: MOST_CROSSINGS + 1 }, (_, length) => Array.from({ length }, () => 0));
 
 export class BrickMesh {
-  readonly #bricks: Bricks;
   readonly #values: BrickValues;
-  readonly #tally: Tally;
-  #before: BrickMesh | null;
-  /** nodes of this lattice before the first of the one before */
-  readonly #more: Vec3;
+  readonly #bricks: Bricks;
   readonly #store = new VertexStore();
+  readonly #vertices: BrickVertices;
   readonly #indices: number[] = [];
-  readonly #paint = new Float64Array(3);
   readonly #loops = new CubeLoops();
   readonly #eight = new Float64Array(8);
   readonly #inside = new Uint8Array(CORNERS);
-  readonly #point = new EdgePoint();
+  readonly #point: EdgePoint;
   readonly #fans: CreaseFans;
   readonly #points: LoopPoints;
   readonly #unseen: ThinSpot[] = [];
@@ -66,18 +64,24 @@ export class BrickMesh {
 
   /** `before`: the mesh before an edit, which is taken over where nothing changed. */
   constructor(bricks: Bricks, values: BrickValues, tally: Tally, before: BrickMesh | null = null) {
-    this.#bricks = bricks;
+    const { step } = bricks.lattice;
     this.#values = values;
-    this.#tally = tally;
-    this.#before = before;
-    this.#more = before ? nodesBefore(before.#bricks.lattice, bricks.lattice) : [0, 0, 0];
+    this.#bricks = bricks;
     this.#brick = bricks.active[0]!;
+    const earlier = before && { store: before.#store, lattice: before.#bricks.lattice };
+    this.#vertices = new BrickVertices(bricks, values.whole, tally, this.#store, earlier);
+    this.#point = new EdgePoint(step);
     this.#fans = new CreaseFans(this.#store.branches, this.#triangle);
-    this.#points = new LoopPoints(this.#store, bricks.lattice.step, before === null ? null : before.#points);
+    this.#points = new LoopPoints(this.#store, step, before === null ? null : before.#points);
   }
 
   /** The cells of one brick, with the values at its corners; bricks come in order. `isKept`: its field is that of the mesh before. */
   add(brick: Brick, values: Float64Array, isKept = false): void {
+    if (this.enter(brick, values, isKept)) this.join();
+  }
+
+  /** The vertices of a brick; false where the surface does not come. */
+  enter(brick: Brick, values: Float64Array, isKept = false): boolean {
     this.#brick = brick;
     this.#own = values;
     this.#isKept = isKept;
@@ -88,7 +92,13 @@ export class BrickMesh {
       count += inside[c]!;
     }
     if (count === 0) this.#lookBetween();
-    if (count === 0 || count === CORNERS) return;
+    if (count === 0 || count === CORNERS) return false;
+    this.#vertices.enter(brick, values, inside, isKept);
+    return true;
+  }
+
+  /** The triangles of the brick that was entered. */
+  join(): void {
     for (let k = 0; k < BRICK; k++) {
       for (let j = 0; j < BRICK; j++) {
         for (let i = 0; i < BRICK; i++) this.#cube(i + SIDE * (j + SIDE * k));
@@ -99,16 +109,16 @@ export class BrickMesh {
   /** Of all bricks that were added; what was before is forgotten. */
   mesh(): FieldMesh {
     this.#fans.finish();
-    this.#before = null;
+    this.#vertices.forget();
     this.#points.forget();
     const { positions, normals, colours, flat } = this.#store;
     const alone = isolatedSpots(this.#values.whole, this.#bricks, this.#empty);
     const mesh = {
-      positions: Float32Array.from(positions),
-      normals: Float32Array.from(normals),
+      positions: new Float32Array(positions),
+      normals: new Float32Array(normals),
       uvs: new Float32Array((2 * positions.length) / 3),
-      indices: Uint32Array.from(this.#indices),
-      colours: Float32Array.from(colours),
+      indices: new Uint32Array(this.#indices),
+      colours: new Float32Array(colours),
       thin: thinOf({ positions, normals }, this.#bricks.lattice, [...this.#unseen, ...alone]),
     };
     if (flat.length > 0) meanNormals(mesh, new Set(flat));
@@ -145,19 +155,23 @@ export class BrickMesh {
       (inside[above + SIDE]! << 6) |
       (inside[above + SIDE + 1]! << 7);
     if (mask === 0 || mask === 255) return;
-    for (let corner = 0; corner < 8; corner++) {
-      const at = c + CUBE[corner]!;
-      this.#eight[corner] = AMBIGUOUS[mask] === 1 ? this.#decider(at) : this.#own[at]!;
+    const { edges, ends, count, isTwisted } =
+      AMBIGUOUS[mask] === 1 ? this.#decided(mask, c) : plainLoops(mask);
+    const { onEdge } = this.#vertices;
+    for (let loop = 0, start = 0; loop < count; loop++) {
+      const length = ends[loop]! - start;
+      const ring = RINGS[length]!;
+      for (let i = 0; i < length; i++) ring[i] = onEdge[c + EDGES[edges[start + i]!]!]!;
+      this.#fill(ring, c, loop, isTwisted[loop] === 1);
+      start += length;
     }
-    const loops = this.#loops;
-    loops.trace(mask, this.#eight);
-    let start = 0;
-    for (let loop = 0; loop < loops.count; loop++) {
-      const end = loops.ends[loop]!;
-      const ring = Array.from(loops.edges.subarray(start, end), (edge) => this.#vertex(c, edge));
-      this.#fill(ring, c, loop);
-      start = end;
-    }
+  }
+
+  /** Of a cube with faces that may hang together either way. */
+  #decided(mask: number, c: number): Loops {
+    for (let corner = 0; corner < 8; corner++) this.#eight[corner] = this.#decider(c + CUBE[corner]!);
+    this.#loops.trace(mask, this.#eight);
+    return this.#loops;
   }
 
   /** What decides how a face hangs together is not interpolated. */
@@ -168,13 +182,16 @@ export class BrickMesh {
   }
 
   /** A piece of surface in a loop. */
-  #fill(ring: readonly number[], c: number, loop: number): void {
-    const isTwisted = this.#loops.isTwisted[loop] === 1;
+  #fill(ring: readonly number[], c: number, loop: number, isTwisted: boolean): void {
     const { near } = this.#brick;
+    if (near.branches === 1 && !isTwisted) {
+      eachTriangle(ring, null, this.#store.positions, this.#triangle);
+      return;
+    }
     const isSame = this.#isKept && this.#store.areTaken(ring);
     const key = {
-      now: loop + 4 * this.#number(c),
-      before: isSame && this.#before ? loop + 4 * this.#numberIn(this.#before, c) : null,
+      now: loop + 4 * this.#vertices.numberOf(c),
+      before: isSame ? loop + 4 * this.#vertices.numberBefore(c) : null,
     };
     const fan = near.branches > 1 ? this.#points.creased(near, this.#values.whole, ring, key) : null;
     if (fan) {
@@ -188,7 +205,7 @@ export class BrickMesh {
 
   #addMiddle(ring: readonly number[], { at, normals }: LoopPoint): number {
     const store = this.#store;
-    return store.add({ at, normal: normals[0]!, colour: store.mean(store.colours, ring), branch: NO_BRANCH });
+    return store.add(onSurface(at, normals[0]!), store.mean(store.colours, ring), NO_BRANCH);
   }
 
   /** On the surface near the mean of a loop, or else towards a corner that is on its other side. */
@@ -196,110 +213,14 @@ export class BrickMesh {
     const mean = this.#store.mean(this.#store.positions, ring);
     const point = this.#point;
     const { near } = this.#brick;
-    if (!point.polish(near, mean, this.#bricks.lattice.step)) {
+    [point.x, point.y, point.z] = mean;
+    if (!point.polish(near)) {
       const value = near.value(...mean);
-      const corners = CUBE.map((offset) => c + offset).filter((at) => this.#own[at]! > 0 !== value > 0);
+      const corners = [...CUBE].map((offset) => c + offset).filter((at) => this.#own[at]! > 0 !== value > 0);
       const other = corners.reduce((a, b) => (Math.abs(this.#own[b]!) > Math.abs(this.#own[a]!) ? b : a));
-      point.search(near, mean, this.#at(other), value, this.#own[other]!);
+      point.search(near, mean, this.#vertices.at(other), value, this.#own[other]!);
     }
     const { x, y, z, nx, ny, nz } = point;
     return { at: [x, y, z], normals: [[nx, ny, nz]] };
-  }
-
-  /** On the edge (corner + 8 axis) of the cube whose first corner is `c`. */
-  #vertex(c: number, edge: number): number {
-    const from = c + CUBE[edge & 7]!;
-    const axis = edge >> 3;
-    const key = axis + 3 * this.#number(from);
-    const known = this.#store.onEdge(key);
-    if (known !== undefined) return known;
-    const ends = [this.#own[from]!, this.#own[from + AXES[axis]!]!] as const;
-    const before = this.#isKept ? this.#before : null;
-    const taken =
-      before && this.#store.take(before.#store, axis + 3 * this.#numberIn(before, from), key, ends);
-    return taken ?? this.#store.addOnEdge(key, ends, this.#placed(from, axis, ends));
-  }
-
-  /** Between the corner `from` and the next along `axis`. */
-  #placed(from: number, axis: number, [valueA, valueB]: readonly [number, number]): Vertex {
-    const [a, b] = [this.#at(from), this.#at(from + AXES[axis]!)];
-    if (valueA === CUT || valueB === CUT) return this.#cutOff(from, axis, a, b);
-    const { near } = this.#brick;
-    const point = this.#point;
-    const { step } = this.#bricks.lattice;
-    const isSmooth =
-      near.branches === 1 &&
-      point.newton(near, a, axis, step, this.#crossing(from, axis)) &&
-      point.sharpen(this.#values.whole, near.error, a, axis, step);
-    if (!isSmooth) point.search(near, a, b, valueA, valueB);
-    const { x, y, z, nx, ny, nz } = point;
-    return {
-      at: [x, y, z],
-      normal: [nx, ny, nz],
-      colour: this.#colourAt([x, y, z]),
-      branch: near.branch(x, y, z),
-    };
-  }
-
-  /** Where the cubic through four corners of the brick around an edge crosses it. */
-  #crossing(from: number, axis: number): number {
-    this.#tally.work += CROSSING_FLOPS / FLOPS;
-    const stride = AXES[axis]!;
-    const along = Math.floor(from / stride) % SIDE;
-    const first = along < 2 ? 0 : 1;
-    const own = this.#own;
-    const at = (i: number) => own[from + (first - along + i) * stride]!;
-    return cubicCrossing(at(0), at(1), at(2), at(3), along - first);
-  }
-
-  /** What leaves the lattice ends half a cell within it. */
-  #cutOff(from: number, axis: number, a: Vec3, b: Vec3): Vertex {
-    const { counts } = this.#bricks.lattice;
-    const low = this.#node(from);
-    const side = (along: 0 | 1 | 2) => {
-      const high = low[along] + (along === axis ? 1 : 0);
-      return low[along] === 0 ? -1 : high === counts[along] - 1 ? 1 : 0;
-    };
-    const out: Vec3 = [side(0), side(1), side(2)];
-    const at = scale3(add3(a, b), 0.5);
-    return { at, normal: scale3(out, 1 / length3(out)), colour: this.#colourAt(at), branch: NO_BRANCH };
-  }
-
-  #colourAt(at: Vec3): Vec3 {
-    const { near } = this.#brick;
-    if (near.plain) return near.plain;
-    const paint = this.#paint;
-    near.colour(...at, paint);
-    return [paint[0]!, paint[1]!, paint[2]!];
-  }
-
-  /** The node of the lattice at a corner of the brick. */
-  #node(c: number): Vec3 {
-    const { i, j, k } = this.#brick;
-    return [
-      BRICK * i + (c % SIDE),
-      BRICK * j + (Math.floor(c / SIDE) % SIDE),
-      BRICK * k + Math.floor(c / (SIDE * SIDE)),
-    ];
-  }
-
-  #number(c: number): number {
-    const [x, y, z] = this.#node(c);
-    const { counts } = this.#bricks.lattice;
-    return x + counts[0] * (y + counts[1] * z);
-  }
-
-  /** What it was before an edit, since when the lattice may have grown. */
-  #numberIn(before: BrickMesh, c: number): number {
-    const [x, y, z] = this.#node(c);
-    const [dx, dy, dz] = this.#more;
-    const { counts } = before.#bricks.lattice;
-    return x - dx + counts[0] * (y - dy + counts[1] * (z - dz));
-  }
-
-  #at(c: number): Vec3 {
-    const { origin, step } = this.#bricks.lattice;
-    const [x, y, z] = this.#node(c);
-    return [origin[0] + x * step, origin[1] + y * step, origin[2] + z * step];
   }
 }

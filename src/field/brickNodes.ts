@@ -2,6 +2,8 @@
  * The 27 nodes and 125 corners of one brick, for the leaves of its tree: sums are evaluated at nodes, each once, whichever brick
  * comes first, and interpolated; shapes are evaluated at the corners that no brick before has.
  */
+import { Slab } from '../math/slab.ts';
+import type { Vec3 } from '../math/vec.ts';
 import { FLOPS } from '../skeleton/work.ts';
 import {
   CORNERS,
@@ -13,7 +15,7 @@ import {
   STRIDE,
 } from './hermite.ts';
 import type { Lattice } from './lattice.ts';
-import type { Corners, Near, Tally } from './near.ts';
+import type { BrickCorners, Near, Tally } from './near.ts';
 
 /** Of the 27 bricks around one: those before it. */
 export const BEFORE = 13;
@@ -45,7 +47,15 @@ export function inCommon(side: number): readonly (readonly Common[])[] {
   });
 }
 
-const SAME_NODES = inCommon(3);
+/** For each brick before one the places they have in common: its own and theirs in turn. */
+export const pairsOf = (common: readonly (readonly Common[])[]): readonly Uint8Array[] =>
+  Array.from({ length: BEFORE }, (_, n) =>
+    Uint8Array.from(
+      common.flatMap((all, place) => all.filter(({ brick }) => brick === n).flatMap(({ at }) => [place, at])),
+    ),
+  );
+
+const SAME_NODES = pairsOf(inCommon(3));
 
 /** Corners of a cube of two cells. */
 const HALF = Array.from(
@@ -59,7 +69,7 @@ const away = (value: number, slack: number): number =>
 /** of a value of which only the sign is known */
 export const LEAST = 1e-30;
 
-export class BrickNodes implements Corners {
+export class BrickNodes implements BrickCorners {
   readonly #lattice: Lattice;
   readonly #tally: Tally;
   readonly #node = new Float64Array(STRIDE);
@@ -68,6 +78,11 @@ export class BrickNodes implements Corners {
   #z = 0;
   #own: LeafNodes = new Map();
   #before: readonly (LeafNodes | null)[] = [];
+  readonly #slab = new Slab();
+  /** nodes that bricks before have */
+  readonly #has = new Uint8Array(NODES);
+  readonly #rough = new Float64Array(CORNERS);
+  readonly #done = new Uint8Array(CORNERS);
   roughly = true;
   /** corners that no brick before has */
   readonly wanted = new Uint8Array(CORNERS);
@@ -91,8 +106,9 @@ export class BrickNodes implements Corners {
   }
 
   interpolated(near: Near, leaf: number, out: Float64Array): number {
-    const nodes = new Float64Array(STRIDE * NODES);
-    for (let n = 0; n < NODES; n++) this.#fill(nodes, n, near, leaf);
+    const nodes = this.#slab.take(STRIDE * NODES);
+    this.#take(nodes, leaf);
+    for (let n = 0; n < NODES; n++) if (this.#has[n] === 0) this.#fill(nodes, n, near);
     this.#own.set(leaf, nodes);
     const { step } = this.#lattice;
     interpolate(nodes, step, out);
@@ -107,8 +123,8 @@ export class BrickNodes implements Corners {
 
   halved(near: Near, missed: number, out: Float64Array): number {
     const { origin, step } = this.#lattice;
-    const rough = new Float64Array(CORNERS);
-    const done = new Uint8Array(CORNERS);
+    const rough = this.#rough;
+    const done = this.#done.fill(0);
     let slack = 0;
     for (let half = 0; half < 8; half++) {
       const [i, j, k] = [2 * (half & 1), half & 2, (half >> 1) & 2];
@@ -133,21 +149,39 @@ export class BrickNodes implements Corners {
 
   /** At a corner. */
   value(near: Near, c: number): number {
+    return near.value(...this.#at(c));
+  }
+
+  /** By how much that may be off. */
+  error(near: Near, c: number): number {
+    return near.errorAt(...this.#at(c));
+  }
+
+  #at(c: number): Vec3 {
     const { origin, step } = this.#lattice;
-    return near.value(
+    return [
       origin[0] + (this.#x + (c % SIDE)) * step,
       origin[1] + (this.#y + (Math.floor(c / SIDE) % SIDE)) * step,
       origin[2] + (this.#z + Math.floor(c / (SIDE * SIDE))) * step,
-    );
+    ];
   }
 
-  #fill(nodes: Float64Array, n: number, near: Near, leaf: number): void {
-    for (const { brick, at } of SAME_NODES[n]!) {
+  /** What bricks before have. */
+  #take(nodes: Float64Array, leaf: number): void {
+    this.#has.fill(0);
+    for (let brick = 0; brick < BEFORE; brick++) {
       const known = this.#before[brick]?.get(leaf);
       if (!known) continue;
-      for (let i = 0; i < STRIDE; i++) nodes[STRIDE * n + i] = known[STRIDE * at + i]!;
-      return;
+      const pairs = SAME_NODES[brick]!;
+      for (let p = 0; p < pairs.length; p += 2) {
+        const n = pairs[p]!;
+        for (let i = 0; i < STRIDE; i++) nodes[STRIDE * n + i] = known[STRIDE * pairs[p + 1]! + i]!;
+        this.#has[n] = 1;
+      }
     }
+  }
+
+  #fill(nodes: Float64Array, n: number, near: Near): void {
     const { origin, step } = this.#lattice;
     const node = this.#node;
     near.evaluate(
@@ -156,6 +190,6 @@ export class BrickNodes implements Corners {
       origin[2] + (this.#z + 2 * Math.floor(n / 9)) * step,
       node,
     );
-    nodes.set(node, STRIDE * n);
+    for (let i = 0; i < STRIDE; i++) nodes[STRIDE * n + i] = node[i]!;
   }
 }

@@ -7,7 +7,8 @@
  * is proven, says otherwise, it is believed.
  */
 
-import { BEFORE, BrickNodes, inCommon, LEAST, type LeafNodes } from './brickNodes.ts';
+import { Slab } from '../math/slab.ts';
+import { BEFORE, BrickNodes, inCommon, LEAST, type LeafNodes, pairsOf } from './brickNodes.ts';
 import { around, type Brick, type Bricks, INSIDE, OUTSIDE } from './bricks.ts';
 import { CORNERS, SIDE } from './hermite.ts';
 import { BRICK, type Lattice, nodesBefore } from './lattice.ts';
@@ -19,6 +20,7 @@ export const CUT = -1e300;
 const MIDDLE = 13;
 
 const SAME_CORNERS = inCommon(SIDE);
+const PAIRS = pairsOf(SAME_CORNERS);
 
 /** By the brick around, of 27, the corners that it has too. */
 const TOUCHING = Array.from({ length: 27 }, (_, n) => {
@@ -53,7 +55,11 @@ export class BrickValues {
   /** bricks before it have forgotten their nodes */
   #forgotten = 0;
   /** whether the field is inside at each side of the lattice: −x, x, −y, y, −z, z */
-  readonly leaves = [false, false, false, false, false, false];
+  readonly exits = [false, false, false, false, false, false];
+  readonly #slab = new Slab();
+  /** of the brick at hand, and of those before it around */
+  readonly #mine = new Float64Array(CORNERS);
+  readonly #nodesBefore: (LeafNodes | null)[] = Array.from({ length: BEFORE }, () => null);
   #before: Before | null;
   readonly #hasGrown: boolean;
   readonly #isLive: boolean;
@@ -77,7 +83,7 @@ export class BrickValues {
   /** Of brick `place` in `active`, 125 values; bricks come in order. */
   fill(place: number): Float64Array {
     const brick = this.#bricks.active[place]!;
-    const values = new Float64Array(CORNERS);
+    const values = this.#slab.take(CORNERS);
     const own: LeafNodes = new Map();
     around(this.#bricks, brick, this.#around);
     this.#enter(brick, own);
@@ -90,7 +96,7 @@ export class BrickValues {
       this.#filled.push({ values, nodes: kept.nodes });
       return values;
     }
-    const mine = new Float64Array(CORNERS);
+    const mine = this.#mine;
     const slack = brick.near.corners(this.#nodes, mine);
     for (let c = 0; c < CORNERS; c++) {
       if (wanted[c] === 0) continue;
@@ -149,23 +155,26 @@ export class BrickValues {
   }
 
   #enter({ i, j, k }: Brick, own: LeafNodes): void {
-    const before = Array.from(this.#around.subarray(0, BEFORE), (place) =>
-      place >= 0 ? this.#filled[place]!.nodes : null,
-    );
+    const before = this.#nodesBefore;
+    for (let n = 0; n < BEFORE; n++) {
+      const place = this.#around[n]!;
+      before[n] = place >= 0 ? this.#filled[place]!.nodes : null;
+    }
     this.#nodes.enter(BRICK * i, BRICK * j, BRICK * k, own, before);
   }
 
   /** What bricks before have. */
   #take(values: Float64Array): void {
     const { wanted } = this.#nodes;
-    for (let c = 0; c < CORNERS; c++) {
-      wanted[c] = 1;
-      for (const { brick, at } of SAME_CORNERS[c]!) {
-        const place = this.#around[brick]!;
-        if (place < 0) continue;
-        values[c] = this.#filled[place]!.values[at]!;
-        wanted[c] = 0;
-        break;
+    wanted.fill(1);
+    for (let brick = 0; brick < BEFORE; brick++) {
+      const place = this.#around[brick]!;
+      if (place < 0) continue;
+      const theirs = this.#filled[place]!.values;
+      const pairs = PAIRS[brick]!;
+      for (let p = 0; p < pairs.length; p += 2) {
+        values[pairs[p]!] = theirs[pairs[p + 1]!]!;
+        wanted[pairs[p]!] = 0;
       }
     }
   }
@@ -174,6 +183,7 @@ export class BrickValues {
   #asked(near: Near, c: number, known: number | null): number {
     const value = known ?? this.#nodes.value(near, c);
     if (Math.abs(value) > near.error * (1 + 1e-9)) return value;
+    if (Math.abs(value) > this.#nodes.error(near, c) * (1 + 1e-9)) return value;
     const whole = near.error > 0 ? this.#nodes.value(this.whole, c) : value;
     return Number.isNaN(whole) ? -LEAST : whole;
   }
@@ -203,7 +213,7 @@ export class BrickValues {
         const stride = [1, SIDE, SIDE * SIDE][axis]!;
         for (let c = 0; c < CORNERS; c++) {
           if (Math.floor(c / stride) % SIDE !== face || !(values[c]! > 0 || values[c] === CUT)) continue;
-          this.leaves[2 * axis + end] = true;
+          this.exits[2 * axis + end] = true;
           values[c] = CUT;
         }
       });

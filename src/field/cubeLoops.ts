@@ -59,13 +59,33 @@ export const AMBIGUOUS = Uint8Array.from({ length: 256 }, (_, mask) =>
   FACES.some((face) => isOpen(face, mask)) ? 1 : 0,
 );
 
-export class CubeLoops {
-  /** loops so far, one after the other: edges in order, counter-clockwise seen from outside of the solid */
+/** Of one cube. */
+export interface Loops {
+  readonly count: number;
+  /** one loop after the other: edges in order, counter-clockwise seen from outside of the solid */
+  readonly edges: Uint8Array;
+  /** where each ends in `edges` */
+  readonly ends: Uint8Array;
+  /** whether each has two crossings on a face that are no neighbours: a chord between them would lie in that face */
+  readonly isTwisted: Uint8Array;
+}
+
+const known: (Loops | undefined)[] = Array.from({ length: 256 });
+
+/** Of a cube without faces of which all four edges are crossed; found once for all. */
+export function plainLoops(mask: number): Loops {
+  const found = known[mask];
+  if (found) return found;
+  const made = new CubeLoops();
+  made.follow(mask, 0);
+  known[mask] = made;
+  return made;
+}
+
+export class CubeLoops implements Loops {
   readonly edges = new Uint8Array(MOST_CROSSINGS);
-  /** where each loop ends in `edges` */
   readonly ends = new Uint8Array(4);
   count = 0;
-  /** whether each loop has two crossings on a face that are no neighbours: a chord between them would lie in that face */
   readonly isTwisted = new Uint8Array(4);
   readonly #next = new Int8Array(24);
   readonly #leave = new Uint8Array(2);

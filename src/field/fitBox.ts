@@ -97,12 +97,12 @@ const middleOf = ({ min, max }: Box): Vec3 => [
 ];
 
 /** The box grown by a quarter on the sides (−x, x, −y, y, −z, z) where the body leaves its lattice; null where it does not. */
-export function grownWhere(box: Box, leaves: readonly boolean[]): Box | null {
-  if (!leaves.includes(true)) return null;
+export function grownWhere(box: Box, exits: readonly boolean[]): Box | null {
+  if (!exits.includes(true)) return null;
   const more = longest(box) / 4 || 1;
   const of = (end: 'min' | 'max'): Vec3 => {
     const by = (axis: 0 | 1 | 2) => {
-      const grows = leaves[2 * axis + (end === 'min' ? 0 : 1)];
+      const grows = exits[2 * axis + (end === 'min' ? 0 : 1)];
       return box[end][axis] + (grows ? (end === 'min' ? -more : more) : 0);
     };
     return [by(0), by(1), by(2)];

@@ -25,8 +25,16 @@ const node = (i: number, j: number, k: number) => i + 3 * (j + 3 * k);
 /** One interpolated place: the nodes around, and for each the signs of the gradient's parts. */
 interface Stencil {
   readonly target: number;
-  readonly nodes: Uint8Array;
+  readonly nodes: readonly number[];
   /** three for each node: −s, 0 along axes on which the place has the node's coordinate */
+  readonly signs: readonly number[];
+}
+
+/** All of some stencils in one row each: a place brings along as many nodes as it has. */
+interface Stencils {
+  readonly targets: Uint8Array;
+  readonly counts: Uint8Array;
+  readonly nodes: Uint8Array;
   readonly signs: Int8Array;
 }
 
@@ -45,10 +53,8 @@ function stencilsOf(apart: 1 | 2, target: (i: number, j: number, k: number) => n
         const scale = apart === 1 ? 0.5 : 1;
         stencils.push({
           target: target(i, j, k),
-          nodes: Uint8Array.from(around, ([di, dj, dk]) =>
-            node(scale * (i + di), scale * (j + dj), scale * (k + dk)),
-          ),
-          signs: Int8Array.from(around.flat(), (s) => -s),
+          nodes: around.map(([di, dj, dk]) => node(scale * (i + di), scale * (j + dj), scale * (k + dk))),
+          signs: around.flat().map((s) => -s),
         });
       }
     }
@@ -56,12 +62,18 @@ function stencilsOf(apart: 1 | 2, target: (i: number, j: number, k: number) => n
   return stencils;
 }
 
-const FINE = stencilsOf(1, corner);
-const COARSE = stencilsOf(2, node);
+const inRows = (stencils: readonly Stencil[]): Stencils => ({
+  targets: Uint8Array.from(stencils, ({ target }) => target),
+  counts: Uint8Array.from(stencils, ({ nodes }) => nodes.length),
+  nodes: Uint8Array.from(stencils.flatMap(({ nodes }) => nodes)),
+  signs: Int8Array.from(stencils.flatMap(({ signs }) => signs)),
+});
+
+const FINE = inRows(stencilsOf(1, corner));
+const COARSE = inRows(stencilsOf(2, node));
 /** of a place between two, four or eight nodes */
 const FLOPS_OF: Readonly<Record<number, number>> = { 2: 6, 4: 16, 8: 40 };
-const flopsOf = (stencils: readonly Stencil[]) =>
-  stencils.reduce((sum, { nodes }) => sum + FLOPS_OF[nodes.length]!, 0);
+const flopsOf = ({ counts }: Stencils) => counts.reduce((sum, count) => sum + FLOPS_OF[count]!, 0);
 /** additions and products of one brick */
 export const INTERPOLATION_FLOPS = flopsOf(FINE) + flopsOf(COARSE);
 
@@ -72,21 +84,27 @@ export function interpolate(nodes: Float64Array, step: number, out: Float64Array
       for (let i = 0; i < 3; i++) out[corner(2 * i, 2 * j, 2 * k)] = nodes[STRIDE * node(i, j, k)]!;
     }
   }
-  for (const stencil of FINE) out[stencil.target] = interpolated(stencil, nodes, 2 * step);
+  between(FINE, nodes, 2 * step, out);
 }
 
 /** By how much interpolated values may be off: nothing where the field is a cubic. */
 export function interpolationError(nodes: Float64Array, step: number): number {
   let most = ROUGH * swingOf(nodes);
-  for (const stencil of COARSE) {
-    const off = Math.abs(interpolated(stencil, nodes, 4 * step) - nodes[STRIDE * stencil.target]!);
+  between(COARSE, nodes, 4 * step, coarse);
+  const { targets } = COARSE;
+  for (let i = 0; i < targets.length; i++) {
+    const target = targets[i]!;
+    const off = Math.abs(coarse[target]! - nodes[STRIDE * target]!);
     if (!(off <= most)) most = off;
   }
   return SAFE * most;
 }
 
+const coarse = new Float64Array(NODES);
+
 function swingOf(nodes: Float64Array): number {
-  let [low, high] = [Infinity, -Infinity];
+  let low = Infinity;
+  let high = -Infinity;
   for (let at = 0; at < nodes.length; at += STRIDE) {
     if (nodes[at]! < low) low = nodes[at]!;
     if (nodes[at]! > high) high = nodes[at]!;
@@ -94,17 +112,26 @@ function swingOf(nodes: Float64Array): number {
   return high - low;
 }
 
-function interpolated({ nodes: around, signs }: Stencil, nodes: Float64Array, apart: number): number {
-  let sum = 0;
-  let slope = 0;
-  const count = around.length;
-  for (let n = 0; n < count; n++) {
-    const at = STRIDE * around[n]!;
-    sum += nodes[at]!;
-    slope +=
-      signs[3 * n]! * nodes[at + 1]! +
-      signs[3 * n + 1]! * nodes[at + 2]! +
-      signs[3 * n + 2]! * nodes[at + 3]!;
+/** Writes what stencils say of their places; `apart`: between nodes. */
+function between(
+  { targets, counts, nodes: around, signs }: Stencils,
+  nodes: Float64Array,
+  apart: number,
+  out: Float64Array,
+): void {
+  let n = 0;
+  for (let i = 0; i < targets.length; i++) {
+    const count = counts[i]!;
+    let sum = 0;
+    let slope = 0;
+    for (const end = n + count; n < end; n++) {
+      const at = STRIDE * around[n]!;
+      sum += nodes[at]!;
+      slope +=
+        signs[3 * n]! * nodes[at + 1]! +
+        signs[3 * n + 1]! * nodes[at + 2]! +
+        signs[3 * n + 2]! * nodes[at + 3]!;
+    }
+    out[targets[i]!] = (sum + 0.25 * apart * slope) / count;
   }
-  return (sum + 0.25 * apart * slope) / count;
 }

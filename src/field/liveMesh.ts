@@ -63,7 +63,7 @@ export class LiveMesh {
       const made = yield* this.#meshing(step);
       if (!made.isCut || !within || round === ROUNDS) return made;
       // a body that leaves what was kept, or what was thought to hold it
-      if (!step.isEdit) within = grownWhere(within, this.#state!.values.leaves) ?? within;
+      if (!step.isEdit) within = grownWhere(within, this.#state!.values.exits) ?? within;
       step = yield* this.#field.locatingAnew(node, within);
     }
   }
@@ -86,7 +86,7 @@ export class LiveMesh {
     this.#state = { places: new Map(numbers.map((number, place) => [number, place])), values, mesh };
     return {
       mesh: mesh.mesh(),
-      isCut: values.leaves.includes(true),
+      isCut: values.exits.includes(true),
       isEdit,
       evaluations: tally.work,
       bricks,

@@ -8,7 +8,7 @@ import type { Vec3 } from '../math/vec.ts';
 import { type Crease, creaseNear } from './crease.ts';
 import type { Fan } from './creaseFans.ts';
 import type { Near } from './near.ts';
-import { NO_BRANCH, type VertexStore } from './vertexStore.ts';
+import { NO_BRANCH, onSurface, type VertexStore } from './vertexStore.ts';
 
 /** Cells from the middle of its loop that a point on a crease may be; blades end that far from where lattices see both sides. */
 const REACH = 3;
@@ -121,7 +121,7 @@ export class LoopPoints {
     const copies = branches.map((branch, i) => {
       const side = ring.filter((vertex) => store.branches[vertex] === branch);
       const colour = store.mean(store.colours, side);
-      return [branch, store.add({ at, normal: normals[i]!, colour, branch })] as const;
+      return [branch, store.add(onSurface(at, normals[i]!), colour, branch)] as const;
     });
     return { copies: new Map(copies) };
   }

@@ -37,6 +37,8 @@ function shortestFan(ring: readonly number[], positions: readonly number[]): num
 }
 
 function squared(a: number, b: number, positions: readonly number[]): number {
-  const along = (axis: number) => positions[3 * a + axis]! - positions[3 * b + axis]!;
-  return along(0) * along(0) + along(1) * along(1) + along(2) * along(2);
+  const x = positions[3 * a]! - positions[3 * b]!;
+  const y = positions[3 * a + 1]! - positions[3 * b + 1]!;
+  const z = positions[3 * a + 2]! - positions[3 * b + 2]!;
+  return x * x + y * y + z * z;
 }

@@ -47,6 +47,8 @@ export interface Near {
   readonly high: number;
   /** by how much values may be off in the cube */
   readonly error: number;
+  /** the same at a place in it, nearly: polynomials miss little near their centres */
+  errorAt(x: number, y: number, z: number): number;
   /** skels that a value asks */
   readonly asked: number;
   /** how many smooth fields its values come from; they change at creases */
@@ -71,9 +73,11 @@ export interface Near {
    * Writes the values at the 125 corners of a brick's cells, interpolated between its nodes where that is possible, and says by
    * how much they may be off for that, as far as the nodes tell.
    */
-  corners(nodes: Corners, out: Float64Array): number;
+  corners(nodes: BrickCorners, out: Float64Array): number;
   /** of its values near the surface, a millimetre, nearly */
   readonly steep: number;
+  /** mm: by how much the surface may be off at most, however large cells are; more would make intervals wider */
+  readonly mostMissed: number;
   /**
    * By how much changes may move its values in the cube, at most; Infinity where that is not known. `newer`: the same tree after them, in a
    * cube around. What earlier changes have moved them by comes on top.
@@ -86,7 +90,7 @@ export interface Near {
 }
 
 /** The corners of one brick's cells, for the leaves of its tree (brickNodes.ts). */
-export interface Corners {
+export interface BrickCorners {
   /** of nodes, which are every second corner, mm */
   readonly apart: number;
   /** whether the sign is enough where a leaf is surely not 0 */
@@ -125,7 +129,7 @@ export interface NearLeaf {
 export interface Far {
   readonly centre: Vec3;
   readonly taylor: Taylor;
-  /** what they weigh in the mean of colours at the centre, and red, green, blue times that */
+  /** what they weigh in the mean of colours at the centre, and red, green, blue times that; nothing where all are of one colour */
   readonly colour: Float64Array;
 }
 

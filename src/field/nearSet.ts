@@ -8,9 +8,9 @@ import { colourOf, combinedValue, evaluateOf, type Kind, Scratch, signsOf } from
 import { hardUnion } from './hardUnion.ts';
 import { CORNERS } from './hermite.ts';
 import {
+  type BrickCorners,
   branchOf,
   type Changes,
-  type Corners,
   isFaceOf,
   type Near,
   type NearLeaf,
@@ -43,6 +43,7 @@ export class NearSet implements Near {
   readonly branches: number;
   readonly node: number;
   readonly steep: number;
+  readonly mostMissed: number;
   readonly plain: Colour | null;
   readonly #parts: readonly Near[];
   readonly #dropped: AllDropped | null;
@@ -59,6 +60,7 @@ export class NearSet implements Near {
   ) {
     this.node = node;
     this.steep = parts.reduce((least, { steep }) => Math.min(least, steep), Infinity);
+    this.mostMissed = parts.reduce((least, { mostMissed }) => Math.min(least, mostMissed), Infinity);
     this.#parts = parts;
     this.#dropped = dropped;
     this.#operation = operation;
@@ -79,6 +81,10 @@ export class NearSet implements Near {
 
   evaluate(x: number, y: number, z: number, out: FieldValue): void {
     evaluateOf(this.#parts, this.#operation, this.#kind, x, y, z, out, this.#scratch);
+  }
+
+  errorAt(x: number, y: number, z: number): number {
+    return this.#together(this.#parts.map((part) => part.errorAt(x, y, z)));
   }
 
   colour(x: number, y: number, z: number, out: Float64Array): number {
@@ -162,7 +168,7 @@ export class NearSet implements Near {
     return this.#parts.find((part) => part.node === node) ?? null;
   }
 
-  corners(nodes: Corners, out: Float64Array): number {
+  corners(nodes: BrickCorners, out: Float64Array): number {
     const [outer, sign] = signsOf(this.#kind);
     const other = new Float64Array(CORNERS);
     const wasRough = nodes.roughly;

@@ -4,9 +4,9 @@ import type { FieldValue } from '../skeleton/skeleton.ts';
 import { WITH_GRADIENT } from '../skeleton/work.ts';
 import type { LeafFrame } from './leafFrame.ts';
 import {
+  type BrickCorners,
   branchOf,
   type Changes,
-  type Corners,
   isFaceOf,
   type Near,
   type NearLeaf,
@@ -45,6 +45,7 @@ class NearShape implements Near {
   readonly high: number;
   readonly error = 0;
   readonly asked = 1;
+  readonly mostMissed = Infinity;
   readonly branches: number;
   readonly #whole: Whole;
 
@@ -57,6 +58,10 @@ class NearShape implements Near {
 
   get node(): number {
     return this.#whole.leaf;
+  }
+
+  errorAt(): number {
+    return 0;
   }
 
   get plain(): Colour {
@@ -113,7 +118,7 @@ class NearShape implements Near {
     return new NearShape(this.#whole, range[0]!, range[1]!);
   }
 
-  corners(nodes: Corners, out: Float64Array): number {
+  corners(nodes: BrickCorners, out: Float64Array): number {
     return nodes.exact(this, out);
   }
 

@@ -62,8 +62,8 @@ export function* polygonizing(
   let before = 0;
   for (let round = 0; ; round++) {
     const located = yield* locating(field, resolution, within);
-    const { mesh, leaves } = yield* meshing(located);
-    const larger = within && round < ROUNDS ? grownWhere(within, leaves) : null;
+    const { mesh, exits } = yield* meshing(located);
+    const larger = within && round < ROUNDS ? grownWhere(within, exits) : null;
     const { bricks, tally } = located;
     const evaluations = before + tally.work;
     if (!larger) return { mesh, lattice: bricks.lattice, evaluations, bricks };
@@ -103,5 +103,5 @@ export function* meshing({ whole, tally, bricks }: Located) {
     mesh.add(brick, values.fill(place));
     if (place % BATCH === 0) yield place / bricks.active.length;
   }
-  return { mesh: mesh.mesh(), leaves: values.leaves };
+  return { mesh: mesh.mesh(), exits: values.exits };
 }

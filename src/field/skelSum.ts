@@ -2,6 +2,7 @@
  * Σ λ_i F_i − T. The colour is the mean of those of the skels, weighted by what they add to the field beyond a thousandth of T:
  * less is not seen, and in float32 it may be a residue of either sign. What carves has no colour.
  */
+import { Ball } from '../skeleton/ball.ts';
 import { type Box, FieldError, type FieldValue, SPREAD, type Spread } from '../skeleton/skeleton.ts';
 import { type BoundTerm, type Grain, UNSEEN } from './boundTerm.ts';
 import { grown, unite } from './boxes.ts';
@@ -52,6 +53,7 @@ class SkelSum implements LeafField {
   readonly #threshold: number;
   readonly #grain: Grain;
   readonly #spread = new Float64Array(SPREAD);
+  readonly #ball = new Ball();
   readonly box: Box | null;
 
   constructor(terms: readonly BoundTerm[], threshold: number, grain: Grain) {
@@ -100,7 +102,8 @@ class SkelSum implements LeafField {
   spread(x: number, y: number, z: number, radius: number, out: Spread): void {
     const threshold = this.#threshold;
     out.fill(0);
-    for (const { field, factor } of this.#terms) field.spread(x, y, z, radius, factor, out);
+    const ball = this.#ball.set(x, y, z, radius);
+    for (const { field, factor } of this.#terms) field.spread(ball, factor, out);
     // beyond every support nothing is rounded
     const margin = out[4]! > 0 ? ROUNDING * (threshold + Math.abs(out[0]!)) : 0;
     out[0] = out[0]! - threshold;

@@ -1,57 +1,62 @@
 /** The vertices of a mesh that is being made: of edges of the lattice, each at most once, and of others. */
 import type { Vec3 } from '../math/vec.ts';
+import { EdgeTable } from './edgeTable.ts';
 
 export const NO_BRANCH = -1;
 
-/** The values at both ends of a vertex' edge. */
-export type Ends = readonly [a: number, b: number];
-
-export interface Vertex {
-  readonly at: Vec3;
-  /** unit; 0 where the field has no slope */
-  readonly normal: Vec3;
-  readonly colour: Vec3;
-  /** number of the smooth field that it is on; NO_BRANCH where that is not told */
-  readonly branch: number;
+/** A place on the surface and the unit normal there; 0 where the field has no slope. */
+export interface OnSurface {
+  readonly x: number;
+  readonly y: number;
+  readonly z: number;
+  readonly nx: number;
+  readonly ny: number;
+  readonly nz: number;
 }
 
 export class VertexStore {
   readonly positions: number[] = [];
   readonly normals: number[] = [];
   readonly colours: number[] = [];
+  /** numbers of the smooth fields that they are on; NO_BRANCH where that is not told */
   readonly branches: number[] = [];
   /** those without a normal */
   readonly flat: number[] = [];
-  readonly #edges = new Map<number, { readonly vertex: number; readonly ends: Ends }>();
+  readonly #edges = new EdgeTable();
+  /** the values at both ends of each vertex' edge, if it is on one */
+  readonly #ends: number[] = [];
   /** those that are as they were before an edit */
   readonly #taken = new Set<number>();
 
-  add({ at, normal, colour, branch }: Vertex): number {
+  add({ x, y, z, nx, ny, nz }: OnSurface, colour: Vec3, branch: number): number {
     const made = this.branches.length;
-    this.positions.push(at[0], at[1], at[2]);
-    this.normals.push(normal[0], normal[1], normal[2]);
+    this.positions.push(x, y, z);
+    this.normals.push(nx, ny, nz);
     this.colours.push(colour[0], colour[1], colour[2]);
     this.branches.push(branch);
-    if (normal[0] === 0 && normal[1] === 0 && normal[2] === 0) this.flat.push(made);
+    this.#ends.push(Number.NaN, Number.NaN);
+    if (nx === 0 && ny === 0 && nz === 0) this.flat.push(made);
     return made;
   }
 
-  /** Of an edge that has one. */
-  onEdge(key: number): number | undefined {
-    return this.#edges.get(key)?.vertex;
+  /** Of an edge; −1 where it has none. */
+  onEdge(key: number): number {
+    return this.#edges.get(key);
   }
 
-  addOnEdge(key: number, ends: Ends, vertex: Vertex): number {
-    const made = this.add(vertex);
-    this.#edges.set(key, { vertex: made, ends });
-    return made;
+  /** Puts a vertex on an edge with these values at its ends. */
+  put(vertex: number, key: number, a: number, b: number): void {
+    this.#edges.set(key, vertex);
+    this.#ends[2 * vertex] = a;
+    this.#ends[2 * vertex + 1] = b;
   }
 
-  /** That of `before`, whose key was `then`, where the values at the ends are what they were. */
-  take(before: VertexStore, then: number, key: number, ends: Ends): number | null {
-    const known = before.#edges.get(then);
-    if (!known || known.ends[0] !== ends[0] || known.ends[1] !== ends[1]) return null;
-    const taken = this.addOnEdge(key, ends, before.#vertex(known.vertex));
+  /** That of `before`, whose key was `then`, where the values at the ends are what they were; −1 where there is none. */
+  take(before: VertexStore, then: number, key: number, a: number, b: number): number {
+    const known = before.onEdge(then);
+    if (known < 0 || before.#ends[2 * known] !== a || before.#ends[2 * known + 1] !== b) return -1;
+    const taken = this.#copy(before, known);
+    this.put(taken, key, a, b);
     this.#taken.add(taken);
     return taken;
   }
@@ -67,13 +72,10 @@ export class VertexStore {
     return [along(0), along(1), along(2)];
   }
 
-  #vertex(i: number): Vertex {
+  #copy({ positions, normals, colours, branches }: VertexStore, i: number): number {
     const three = (of: readonly number[]): Vec3 => [of[3 * i]!, of[3 * i + 1]!, of[3 * i + 2]!];
-    return {
-      at: three(this.positions),
-      normal: three(this.normals),
-      colour: three(this.colours),
-      branch: this.branches[i]!,
-    };
+    return this.add(onSurface(three(positions), three(normals)), three(colours), branches[i]!);
   }
 }
+
+export const onSurface = ([x, y, z]: Vec3, [nx, ny, nz]: Vec3): OnSurface => ({ x, y, z, nx, ny, nz });

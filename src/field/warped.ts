@@ -2,6 +2,7 @@
 
 import { scale3 as scaled } from '../math/tuple.ts';
 import type { Vec3 } from '../math/vec.ts';
+import { Ball } from '../skeleton/ball.ts';
 import { type Box, type FieldValue, type SkelField, SPREAD, type Spread } from '../skeleton/skeleton.ts';
 import { addMapped, TAYLOR, type Taylor } from '../skeleton/taylor.ts';
 import { type Affine, mappedBox } from './affine.ts';
@@ -19,9 +20,7 @@ const ROUNDING = 4e-15;
 
 /** A ball in the frame of the plain skel. Mutable; the numbers say that these are doubles. */
 class Seen {
-  x = 0.5;
-  y = 0.5;
-  z = 0.5;
+  readonly ball = new Ball();
   /** how far its points are from there at most, and how far from where the derivatives take them */
   reach = 0.5;
   bend = 0.5;
@@ -44,6 +43,7 @@ export class Warped implements SkelField {
   readonly #spread = new Float64Array(SPREAD);
   readonly #move = new Float64Array(2);
   readonly box: Box;
+  readonly isCubic = false;
   readonly #local = new Float64Array(TAYLOR);
 
   constructor(skel: SkelField, frame: Frame, section: Section, bx: number, by: number) {
@@ -88,17 +88,15 @@ export class Warped implements SkelField {
     out[3]! += ex[2] * gx + ey[2] * gy + ez[2] * gz;
   }
 
-  spread(x: number, y: number, z: number, radius: number, factor: number, out: Spread): void {
-    this.#see(x, y, z, radius);
+  spread(ball: Ball, factor: number, out: Spread): void {
     const local = this.#spread.fill(0);
-    this.#skel.spread(seen.x, seen.y, seen.z, seen.reach, factor, local);
+    this.#skel.spread(this.#see(ball), factor, local);
     if (local[4]! > 0) this.#back(local, out);
   }
 
   /** The map keeps quadratics only where it is linear; elsewhere what is missed but beyond a support is not known. */
-  missed(x: number, y: number, z: number, radius: number, most: number): number {
-    this.#see(x, y, z, radius);
-    const missed = this.#skel.missed(seen.x, seen.y, seen.z, seen.reach, most);
+  missed(ball: Ball, most: number): number {
+    const missed = this.#skel.missed(this.#see(ball), most);
     return seen.isLinear || missed === 0 ? missed : Infinity;
   }
 
@@ -106,11 +104,11 @@ export class Warped implements SkelField {
     return Infinity;
   }
 
-  standIn(x: number, y: number, z: number, radius: number, factor: number, out: Taylor): number {
-    this.#see(x, y, z, radius);
+  standIn(ball: Ball, factor: number, out: Taylor): number {
     const local = this.#local.fill(0);
+    const within = this.#see(ball);
     const m = this.#stretch[0]!;
-    const work = this.#skel.standIn(seen.x, seen.y, seen.z, seen.reach, factor, local);
+    const work = this.#skel.standIn(within, factor, local);
     const { x: ex, y: ey, z: ez } = this.#frame;
     if (work > 0) addMapped(local, [...scaled(ex, m / this.#bx), ...scaled(ey, m / this.#by), ...ez], out);
     return work;
@@ -139,8 +137,8 @@ export class Warped implements SkelField {
     for (let i = 0; i < 3; i++) out[i + 1] = out[i + 1]! + ex[i]! * wx + ey[i]! * wy + ez[i]! * gz;
   }
 
-  /** The ball about (x, y, z) in the frame of the plain skel. */
-  #see(x: number, y: number, z: number, radius: number): void {
+  /** The ball in the frame of the plain skel, which holds all that the map takes there. */
+  #see({ x, y, z, radius }: Ball): Ball {
     const { origin, x: ex, y: ey, z: ez } = this.#frame;
     const dx = x - origin[0];
     const dy = y - origin[1];
@@ -159,9 +157,7 @@ export class Warped implements SkelField {
     seen.bend = this.#move[1]! + off;
     seen.qx = qx;
     seen.qy = qy;
-    seen.x = m * qx;
-    seen.y = m * qy;
-    seen.z = ez[0] * dx + ez[1] * dy + ez[2] * dz;
+    return seen.ball.set(m * qx, m * qy, ez[0] * dx + ez[1] * dy + ez[2] * dz, seen.reach);
   }
 
   offset(threshold: number): number {

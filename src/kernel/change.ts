@@ -7,7 +7,7 @@
  * The Gaussian's ratio has no bound far away, the quartic's none at its rim: there the derivatives in a direction count,
  * integrated over all that is farther than the nearest point, their positive and negative parts apart.
  */
-import { halfPower } from './halfPower.ts';
+import { rootPower } from './halfPower.ts';
 
 /** A point that moves, and what comes of it. Mutable: filled again for each box. The numbers say that these are doubles. */
 export class Step {
@@ -60,42 +60,54 @@ const SMALL = 1e-3;
 const SMALL_CUBE = 1e-2;
 
 /** Of (core + r²)^(−n/2); `n` where the kernel has it fixed. */
-export function powerChange(core: 0 | 1, n?: number): RelativeChange {
-  return {
-    type: 'relative',
-    core,
-    power: (exponent) => n ?? exponent,
-    factors(step) {
-      const { r, by } = step;
-      const power = n ?? step.exponent;
-      // where the ratios of M are extreme, if that is farther than r
-      const root = Math.sqrt(by * by + 4 * core);
-      const high = Math.max(r, 0.5 * (root + by));
-      const low = Math.max(r, 0.5 * (root - by));
-      const near = Math.max(high - by, 0);
-      const after = core + near * near;
-      step.least = halfPower((core + (low + by) * (low + by)) / (core + low * low), power);
-      step.most = after > 0 ? halfPower(after / (core + high * high), power) : Infinity;
-      const theta = by / Math.sqrt(core + r * r);
-      step.bend = theta < 1 ? bend(theta, power) : Infinity;
-    },
-    cubic(step) {
-      const theta = step.by / Math.sqrt(core + step.r * step.r);
-      step.bend = theta < 1 ? cubic(theta, n ?? step.exponent) : Infinity;
-    },
-  };
+export const powerChange = (core: 0 | 1, n?: number): RelativeChange => new PowerChange(core, n);
+
+class PowerChange implements RelativeChange {
+  readonly type = 'relative';
+  readonly core: 0 | 1;
+  readonly #n: number | undefined;
+
+  constructor(core: 0 | 1, n: number | undefined) {
+    this.core = core;
+    this.#n = n;
+  }
+
+  power(exponent: number): number {
+    return this.#n ?? exponent;
+  }
+
+  factors(step: Step): void {
+    const { core } = this;
+    const { r, by } = step;
+    const power = this.power(step.exponent);
+    // where the ratios of M are extreme, if that is farther than r
+    const root = Math.sqrt(by * by + 4 * core);
+    const high = Math.max(r, 0.5 * (root + by));
+    const low = Math.max(r, 0.5 * (root - by));
+    const near = Math.max(high - by, 0);
+    const after = core + near * near;
+    step.least = rootPower((core + low * low) / (core + (low + by) * (low + by)), power);
+    step.most = after > 0 ? rootPower((core + high * high) / after, power) : Infinity;
+    const theta = by / Math.sqrt(core + r * r);
+    step.bend = theta < 1 ? bend(theta, power) : Infinity;
+  }
+
+  cubic(step: Step): void {
+    const theta = step.by / Math.sqrt(this.core + step.r * step.r);
+    step.bend = theta < 1 ? cubic(theta, this.power(step.exponent)) : Infinity;
+  }
 }
 
 function bend(theta: number, n: number): number {
   const left = 1 - theta;
-  const grown = halfPower(left * left, n);
+  const grown = rootPower(1 / (left * left), n);
   if (theta < SMALL) return (0.5 * n * (n + 1) * theta * theta * grown) / (left * left);
   return grown - 1 - n * theta;
 }
 
 function cubic(theta: number, n: number): number {
   const left = 1 - theta;
-  const grown = halfPower(left * left, n);
+  const grown = rootPower(1 / (left * left), n);
   const third = (n * (n + 1) * (n + 2)) / 6;
   if (theta < SMALL_CUBE) return (third * theta * theta * theta * grown) / (left * left * left);
   return grown - 1 - n * theta * (1 + 0.5 * (n + 1) * theta);

@@ -1,9 +1,13 @@
-/** q^(−n/2): whole n by roots and products, other n by e^(−n/2 log q), which 1e-14 is good for here. */
+/** q^(−n/2): whole n by roots and products, other n by e^(n/2 log 1/q), which 1e-14 is good for here. */
 import { exp } from '../math/exp.ts';
 import { log } from '../math/log.ts';
 
-export function halfPower(q: number, n: number): number {
-  const i = 1 / q;
+export const halfPower = (q: number, n: number): number => rootPower(1 / q, n);
+
+/** i^(n/2): that of the Cauchy kernel in so few words that engines put it in place of the call. */
+export const rootPower = (i: number, n: number): number => (n === 4 ? i * i : otherPower(i, n));
+
+function otherPower(i: number, n: number): number {
   switch (n) {
     case 1:
       return Math.sqrt(i);
@@ -11,8 +15,6 @@ export function halfPower(q: number, n: number): number {
       return i;
     case 3:
       return i * Math.sqrt(i);
-    case 4:
-      return i * i;
     case 5:
       return i * i * Math.sqrt(i);
     case 6:
@@ -22,6 +24,6 @@ export function halfPower(q: number, n: number): number {
     case 8:
       return i * i * (i * i);
     default:
-      return exp(-0.5 * n * log(q));
+      return exp(0.5 * n * log(i));
   }
 }

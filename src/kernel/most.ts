@@ -4,6 +4,7 @@
  */
 import { log1p } from '../math/log.ts';
 import { PI } from '../math/trig.ts';
+import { rootPower } from './halfPower.ts';
 import type { Kernel } from './kernel.ts';
 
 export function mostOfLine(kernel: Kernel, r2: number, length: number, n: number): number {
@@ -11,6 +12,10 @@ export function mostOfLine(kernel: Kernel, r2: number, length: number, n: number
   const whole = kernel.wholeLine ? kernel.wholeLine(at, n) : inverseLine(at, length);
   return Math.min(whole, length * kernel.value(at, n));
 }
+
+/** Of q^(−n/2), q = core + r²: without a call of the kernel. `whole`: of the line without end where q is 1. */
+export const mostOfPower = (q: number, n: number, length: number, whole: number): number =>
+  rootPower(1 / q, n) * Math.min(whole * Math.sqrt(q), length);
 
 /** `turns`: how often an outline may go round a place, `covered`: the area with all turns. */
 export function mostOfPlate(kernel: Kernel, r2: number, covered: number, turns: number, n: number): number {

@@ -7,37 +7,49 @@
  * more for the same error.
  */
 import type { RelativeChange } from '../kernel/change.ts';
-import { halfPower } from '../kernel/halfPower.ts';
+import { rootPower } from '../kernel/halfPower.ts';
 import type { LineFrame } from '../kernel/kernel.ts';
 import { GAUSS, type GaussPoints } from '../math/gaussLegendre.ts';
+import type { Ball } from './ball.ts';
 import { addSource, type Taylor } from './taylor.ts';
+
+/** How many points are taken. Mutable. */
+export class Choice {
+  /** kernel units: no place is nearer */
+  near = 0.5;
+  /** what the points may be off by, if they can; what they are */
+  enough = 0.5;
+  off = 0.5;
+  count: GaussPoints = 1;
+}
 
 /** What of a skel is made of points. */
 export interface Sources {
-  /** of them, as the last `error` chose it */
-  readonly count: GaussPoints;
-  error(near: number, enough: number): number;
-  add(x: number, y: number, z: number, factor: number, count: GaussPoints, out: Taylor): void;
+  /** Sees to `count`, as few as `enough` allows, and `off`. */
+  choose(choice: Choice): void;
+  /** Adds `factor` times the polynomial of `count` points about the centre of the ball. */
+  add(ball: Ball, factor: number, count: GaussPoints, out: Taylor): void;
 }
 
 const MOST = 6;
 /** (G!)⁴ / ((2G + 1) ((2G)!)²) */
 const SHARES = Float64Array.of(0, 1 / 12, 1 / 180, 1 / 2800, 1 / 44100, 1 / 698544, 1 / 11099088);
+/** numbers of a point: place in mm, weight */
+const POINT = 4;
 
 export class GaussSources implements Sources {
-  readonly #change: RelativeChange;
+  readonly #core: number;
   readonly #exponent: number;
+  readonly #most: number;
   readonly #frame: LineFrame;
   /** the first end and the direction */
   readonly #a: Float64Array;
   readonly #u: Float64Array;
   readonly #per: number;
-  /** |w⁽ʲ⁾| l^j / j! in parts of the largest |w| */
-  readonly #bends: Float64Array;
-  /** c_m x^m */
-  readonly #terms = new Float64Array(2 * MOST + 1);
-  /** sources for the last `error` */
-  count: GaussPoints = 1;
+  /** for each count the coefficients of x^2G, x^(2G − 1), … in what it is off by */
+  readonly #errors: Float64Array;
+  /** of each count, once it is asked for */
+  readonly #points: (Float64Array | null)[] = [null, null, null, null, null, null, null];
 
   /** `most`: the largest |w|; `a` in mm, `per` kernel units of a mm. */
   constructor(
@@ -48,59 +60,84 @@ export class GaussSources implements Sources {
     u: Float64Array,
     per: number,
   ) {
-    this.#change = change;
+    this.#core = change.core;
     this.#exponent = change.power(frame.exponent);
+    this.#most = most;
     this.#frame = frame;
     this.#a = a;
     this.#u = u;
     this.#per = per;
-    this.#bends = Float64Array.from(frame.weights, (_, j) => (j === 0 ? 1 : bend(frame, j) / most));
+    // |w⁽ʲ⁾| l^j / j! in parts of the largest |w|
+    const bends = Float64Array.from(frame.weights, (_, j) => (j === 0 ? 1 : bend(frame, j) / most));
+    this.#errors = errors(bends, this.#exponent);
   }
 
-  /**
-   * Chooses as many sources as `enough` allows and says by how much they are off, both in parts of most · l · k(near), at all places
-   * that are `near` or farther (kernel units).
-   */
-  error(near: number, enough: number): number {
-    const x = this.#frame.length / Math.sqrt(this.#change.core + near * near);
-    const terms = this.#terms;
-    terms[0] = 1;
+  choose(choice: Choice): void {
+    const errors = this.#errors;
+    const { length } = this.#frame;
+    const q = 1 / (this.#core + choice.near * choice.near);
+    const field = this.#most * length * rootPower(q, this.#exponent);
+    const enough = choice.enough / field;
+    const x = length * Math.sqrt(q);
+    // x^(2G − 2) and, where there is one, x^(2G − 3)
+    let even = 1;
+    let odd = 0;
     let off = Infinity;
     for (let count = 1; count <= MOST; count++) {
-      for (let m = 2 * count - 1; m <= 2 * count; m++) {
-        terms[m] = (terms[m - 1]! * x * (m + this.#exponent - 1)) / m;
-      }
-      let sum = 0;
-      for (let j = 0; j <= Math.min(this.#frame.degree, 2 * count); j++) {
-        sum += this.#bends[j]! * terms[2 * count - j]!;
-      }
-      off = SHARES[count]! * sum;
-      this.count = count as GaussPoints;
+      const at = 4 * count;
+      off = even * (errors[at + 2]! + x * (errors[at + 1]! + x * errors[at]!)) + odd * errors[at + 3]!;
+      choice.count = count as GaussPoints;
       if (off <= enough) break;
+      odd = even * x;
+      even = odd * x;
     }
-    return off;
+    choice.off = field * off;
   }
 
-  /** Adds `factor` times the polynomial of `count` sources about (x, y, z), mm. */
-  add(x: number, y: number, z: number, factor: number, count: GaussPoints, out: Taylor): void {
-    const { nodes, weights } = GAUSS[count];
-    const { core } = this.#change;
-    const { length, weights: w } = this.#frame;
-    const [a, u, per, n] = [this.#a, this.#u, this.#per, this.#exponent];
-    const half = 0.5 * length;
-    for (let i = 0; i < nodes.length; i++) {
-      const t = half + half * nodes[i]!;
-      const mm = t / per;
-      const dx = x - a[0]! - mm * u[0]!;
-      const dy = y - a[1]! - mm * u[1]!;
-      const dz = z - a[2]! - mm * u[2]!;
-      const q = 1 / (core + per * per * (dx * dx + dy * dy + dz * dz));
-      const weight = w[0]! + t * (w[1]! + t * (w[2]! + t * w[3]!));
-      const value = factor * half * weights[i]! * weight * halfPower(1 / q, n);
-      const first = -0.5 * n * q * value * per * per;
-      addSource(out, value, first, -(0.5 * n + 1) * q * first * per * per, dx, dy, dz);
+  add({ x, y, z }: Ball, factor: number, count: GaussPoints, out: Taylor): void {
+    const points = this.#points[count] ?? this.#made(count);
+    const core = this.#core;
+    const n = this.#exponent;
+    const per2 = this.#per * this.#per;
+    for (let i = 0; i < POINT * count; i += POINT) {
+      const dx = x - points[i]!;
+      const dy = y - points[i + 1]!;
+      const dz = z - points[i + 2]!;
+      const q = 1 / (core + per2 * (dx * dx + dy * dy + dz * dz));
+      const value = factor * points[i + 3]! * rootPower(q, n);
+      const first = -0.5 * n * q * value * per2;
+      addSource(out, value, first, -(0.5 * n + 1) * q * first * per2, dx, dy, dz);
     }
   }
+
+  #made(count: GaussPoints): Float64Array {
+    const { nodes, weights } = GAUSS[count];
+    const { length, weights: w } = this.#frame;
+    const half = 0.5 * length;
+    const points = new Float64Array(POINT * count);
+    for (let i = 0; i < count; i++) {
+      const t = half + half * nodes[i]!;
+      for (let axis = 0; axis < 3; axis++) {
+        points[POINT * i + axis] = this.#a[axis]! + (t / this.#per) * this.#u[axis]!;
+      }
+      points[POINT * i + 3] = half * weights[i]! * (w[0]! + t * (w[1]! + t * (w[2]! + t * w[3]!)));
+    }
+    this.#points[count] = points;
+    return points;
+  }
+}
+
+/** With c_m of the power n, four for each count: the share of Σ_j bends[j] c_(2G − j) x^(2G − j). */
+function errors(bends: Float64Array, n: number): Float64Array {
+  const c = new Float64Array(2 * MOST + 1).fill(1);
+  for (let m = 1; m <= 2 * MOST; m++) c[m] = (c[m - 1]! * (m + n - 1)) / m;
+  const out = new Float64Array(4 * (MOST + 1));
+  for (let count = 1; count <= MOST; count++) {
+    for (let j = 0; j <= Math.min(3, 2 * count); j++) {
+      out[4 * count + j] = SHARES[count]! * bends[j]! * c[2 * count - j]!;
+    }
+  }
+  return out;
 }
 
 /** Σ C(k, j) |w_k| l^k, not less than |w⁽ʲ⁾| l^j / j! on the line. */

@@ -42,15 +42,17 @@ function bind({ at, weight }: PointSkel, kernel: Kernel, params: KernelParams): 
     const dz = (z - az) * per;
     return Math.max(dx * dx + dy * dy + dz * dz, least);
   };
-  const see: See = (x, y, z, _, sight) => {
+  const see: See = ({ x, y, z }, sight) => {
     sight.distance = Math.sqrt(squared(x, y, z));
     sight.isClear = true;
     sight.slack = 0;
   };
   const spreader = new Spreader(kernel, exponent, extent, per, see, {
-    count: 1,
-    error: () => 0,
-    add(x, y, z, scale, _, out) {
+    choose(choice) {
+      choice.count = 1;
+      choice.off = 0;
+    },
+    add({ x, y, z }, scale, _, out) {
       const r2 = squared(x, y, z);
       const value = scale * factor * kernel.value(r2, exponent);
       const q = 1 / (core + r2);
@@ -70,12 +72,13 @@ function bind({ at, weight }: PointSkel, kernel: Kernel, params: KernelParams): 
       out[2] = out[2]! + steep * (y - ay);
       out[3] = out[3]! + steep * (z - az);
     },
-    spread(x, y, z, radius, scale, out) {
-      spreader.add(field, x, y, z, radius, scale, out);
+    spread(ball, scale, out) {
+      spreader.add(field, ball, scale, out);
     },
-    missed: (x, y, z, radius, most) => spreader.missed(x, y, z, radius, most),
+    missed: (ball, most) => spreader.missed(ball, most),
+    isCubic: change.type === 'relative',
     apart: () => Infinity,
-    standIn: (x, y, z, radius, scale, out) => spreader.standIn(field, x, y, z, radius, scale, out),
+    standIn: (ball, scale, out) => spreader.standIn(field, ball, scale, out),
   };
   return field;
 }

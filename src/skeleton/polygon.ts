@@ -97,7 +97,7 @@ function bind(skel: PolygonSkel, kernel: Kernel, params: KernelParams): SkelFiel
     const near = Math.max(distance - size, height);
     return residue * (spreader.most(height * height) + (1 + distance / size) * spreader.most(near * near));
   };
-  const spreader = new Spreader(kernel, frame.exponent, extent, per, (x, y, z, radius, sight) => {
+  const spreader = new Spreader(kernel, frame.exponent, extent, per, ({ x, y, z, radius }, sight) => {
     const vx = (x - middle[0]) * per;
     const vy = (y - middle[1]) * per;
     const vz = (z - middle[2]) * per;
@@ -129,12 +129,13 @@ function bind(skel: PolygonSkel, kernel: Kernel, params: KernelParams): SkelFiel
         out[axis + 1] = out[axis + 1]! + steep * slope;
       }
     },
-    spread(x, y, z, radius, scale, out) {
-      spreader.add(field, x, y, z, radius, scale, out);
+    spread(ball, scale, out) {
+      spreader.add(field, ball, scale, out);
     },
-    missed: (x, y, z, radius, most) => spreader.missed(x, y, z, radius, most),
+    missed: (ball, most) => spreader.missed(ball, most),
+    isCubic: false,
     apart: () => Infinity,
-    standIn: (x, y, z, radius, scale, out) => spreader.standIn(field, x, y, z, radius, scale, out),
+    standIn: (ball, scale, out) => spreader.standIn(field, ball, scale, out),
   };
   return field;
 }

@@ -5,8 +5,9 @@
  * d² − h² never, because it loses all digits beyond an end. A segment of no length has no field (an integral over nothing);
  * a lump is a point skel.
  */
-import { type Kernel, type KernelParams, LineFrame } from '../kernel/kernel.ts';
+import { type Kernel, type KernelParams, type LineField, LineFrame } from '../kernel/kernel.ts';
 import type { Vec3 } from '../math/vec.ts';
+import type { Ball } from './ball.ts';
 import { checkedParams, checkNumbers, checkPlaces, reach, SHORTEST, whole } from './binding.ts';
 import { boxOf } from './boxOf.ts';
 import { segmentSpreader } from './segmentSpread.ts';
@@ -34,7 +35,7 @@ function bind({ a, b, weights }: SegmentSkel, kernel: Kernel, params: KernelPara
   const [dx, dy, dz] = [b[0] - a[0], b[1] - a[1], b[2] - a[2]];
   const mm = lengthOf(dx, dy, dz);
   const box = boxOf([a, b]);
-  if (mm < SHORTEST) return { box, offset: () => 0, ...NOTHING };
+  if (mm < SHORTEST) return { box, offset: () => 0, isCubic: true, ...NOTHING };
   const field = new SegmentField(box, [a, b], mm, weights, kernel, checked);
   return field.quick() ?? field;
 }
@@ -59,6 +60,7 @@ const perp = new Float64Array(3);
  */
 class SegmentField implements SkelField {
   readonly box: Box;
+  readonly isCubic: boolean;
   readonly #kernel: Kernel;
   readonly #line: Kernel['line'];
   readonly #frame = new LineFrame();
@@ -98,6 +100,7 @@ class SegmentField implements SkelField {
       frame.weights[k] = weight * whole(this.#unit, k + 1 + kernel.homogeneity);
       if (weight !== 0) frame.degree = k;
     });
+    this.isCubic = kernel.change.type === 'relative';
     this.#spreader = segmentSpreader(kernel, frame, this.#a, this.#u, this.#per);
   }
 
@@ -109,19 +112,8 @@ class SegmentField implements SkelField {
     const quick = this.#kernel.linear?.(line);
     if (!quick) return null;
     // names that the quick form does not have itself
-    return Object.assign(quick, {
-      box: this.box,
-      missed: (x: number, y: number, z: number, radius: number, most: number) =>
-        this.#spreader.missed(x, y, z, radius, most),
-      source: this,
-      apart: (other: SkelField, x: number, y: number, z: number, radius: number) =>
-        this.apart(other, x, y, z, radius),
-      standIn: (x: number, y: number, z: number, radius: number, factor: number, out: Taylor) =>
-        this.#spreader.standIn(quick, x, y, z, radius, factor, out),
-      offset: (threshold: number) => this.offset(threshold),
-      spread: (x: number, y: number, z: number, radius: number, factor: number, out: Spread) =>
-        this.#spreader.add(quick, x, y, z, radius, factor, out),
-    });
+    const own = { box: this.box, isCubic: this.isCubic, source: this, spreader: this.#spreader };
+    return Object.assign(quick, QUICK, own);
   }
 
   offset(threshold: number): number {
@@ -130,12 +122,12 @@ class SegmentField implements SkelField {
     return spreader.most(0) === 0 ? 0 : this.#unit * reached();
   }
 
-  missed(x: number, y: number, z: number, radius: number, most: number): number {
-    return this.#spreader.missed(x, y, z, radius, most);
+  missed(ball: Ball, most: number): number {
+    return this.#spreader.missed(ball, most);
   }
 
   /** Of places that are as far along, and of their weights times the length. */
-  apart(other: SkelField, x: number, y: number, z: number, radius: number): number {
+  apart(other: SkelField, ball: Ball): number {
     const found = other instanceof SegmentField ? other : (other as Partial<Quick>).source;
     if (!found || found.#kernel !== this.#kernel || found.#per !== this.#per) return Infinity;
     if (found.#frame.exponent !== this.#frame.exponent) return Infinity;
@@ -147,15 +139,15 @@ class SegmentField implements SkelField {
       theirs *= found.#frame.length;
       mass += Math.abs(this.#frame.weights[k]! * own - found.#frame.weights[k]! * theirs);
     }
-    return this.#spreader.apart(x, y, z, radius, shift, mass);
+    return this.#spreader.apart(ball, shift, mass);
   }
 
-  standIn(x: number, y: number, z: number, radius: number, factor: number, out: Taylor): number {
-    return this.#spreader.standIn(this, x, y, z, radius, factor, out);
+  standIn(ball: Ball, factor: number, out: Taylor): number {
+    return this.#spreader.standIn(this, ball, factor, out);
   }
 
-  spread(x: number, y: number, z: number, radius: number, factor: number, out: Spread): void {
-    this.#spreader.add(this, x, y, z, radius, factor, out);
+  spread(ball: Ball, factor: number, out: Spread): void {
+    this.#spreader.add(this, ball, factor, out);
   }
 
   value(x: number, y: number, z: number): number {
@@ -217,9 +209,29 @@ class SegmentField implements SkelField {
 }
 
 /** What a quick form knows of where it is from. */
-interface Quick {
+interface Quick extends LineField {
   readonly source: SegmentField;
+  readonly spreader: Spreader;
 }
+
+/** The same functions for all: those that each would bring along for itself are called at twice the price. */
+const QUICK = {
+  missed(this: Quick, ball: Ball, most: number): number {
+    return this.spreader.missed(ball, most);
+  },
+  standIn(this: Quick, ball: Ball, factor: number, out: Taylor): number {
+    return this.spreader.standIn(this, ball, factor, out);
+  },
+  spread(this: Quick, ball: Ball, factor: number, out: Spread): void {
+    this.spreader.add(this, ball, factor, out);
+  },
+  apart(this: Quick, other: SkelField, ball: Ball): number {
+    return this.source.apart(other, ball);
+  },
+  offset(this: Quick, threshold: number): number {
+    return this.source.offset(threshold);
+  },
+};
 
 const between = (a: Float64Array, b: Float64Array) => lengthOf(a[0]! - b[0]!, a[1]! - b[1]!, a[2]! - b[2]!);
 

@@ -29,7 +29,7 @@ export function segmentSpreader(
   const clear = 2 * Math.sqrt(floor2);
   const { change } = kernel;
   const sources = change.type === 'relative' ? new GaussSources(change, frame, extent.most, a, u, per) : null;
-  const see: See = (x, y, z, radius, sight) => {
+  const see: See = ({ x, y, z, radius }, sight) => {
     const vx = (x - a[0]!) * per;
     const vy = (y - a[1]!) * per;
     const vz = (z - a[2]!) * per;

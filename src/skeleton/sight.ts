@@ -1,5 +1,6 @@
 /** What bounds on a skel's field need to know of it: once, and from the centre of a ball. Kernel units. */
 import type { Dimension } from '../kernel/change.ts';
+import type { Ball } from './ball.ts';
 
 export interface Extent {
   readonly dimension: Dimension;
@@ -24,5 +25,5 @@ export class Sight {
   slack = 0.5;
 }
 
-/** What each kind of skel brings: fills the sight of it from the ball about (x, y, z), mm. */
-export type See = (x: number, y: number, z: number, radius: number, sight: Sight) => void;
+/** What each kind of skel brings: fills the sight of it from a ball. */
+export type See = (ball: Ball, sight: Sight) => void;

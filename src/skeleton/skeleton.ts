@@ -5,6 +5,7 @@
 
 import type { Kernel, KernelParams } from '../kernel/kernel.ts';
 import type { Vec3 } from '../math/vec.ts';
+import type { Ball } from './ball.ts';
 import type { Taylor } from './taylor.ts';
 
 /** [value, ∂x, ∂y, ∂z], mm and 1/mm; mutable: evaluators add to it. */
@@ -28,20 +29,22 @@ export interface SkelField {
   value(x: number, y: number, z: number): number;
   /** Adds `factor` times value and gradient. */
   add(x: number, y: number, z: number, factor: number, out: FieldValue): void;
-  /** Adds `factor` times the spread within `radius` mm; exactly nothing beyond a support. */
-  spread(x: number, y: number, z: number, radius: number, factor: number, out: Spread): void;
+  /** Adds `factor` times the spread within the ball; exactly nothing beyond a support. */
+  spread(ball: Ball, factor: number, out: Spread): void;
   /**
-   * A bound on what the stand-in misses within `radius` mm, without an evaluation; Infinity where none is known or it is surely above
+   * A bound on what the stand-in misses within the ball, without an evaluation; Infinity where none is known or it is surely above
    * `most`, 0 beyond a support.
    */
-  missed(x: number, y: number, z: number, radius: number, most: number): number;
+  missed(ball: Ball, most: number): number;
   /**
-   * Adds `factor` times what may stand for the field within `radius` mm of (x, y, z), about that place: a polynomial of the second
+   * Adds `factor` times what may stand for the field within the ball, about its centre: a polynomial of the second
    * degree (points, segments), of the first (polygons), or nothing (kernels that are no powers). Says what it took (work.ts).
    */
-  standIn(x: number, y: number, z: number, radius: number, factor: number, out: Taylor): number;
-  /** By how much the field may differ from that of a skel that was moved or weighted a little otherwise, within `radius` mm; Infinity where that is not known. */
-  apart(other: SkelField, x: number, y: number, z: number, radius: number): number;
+  standIn(ball: Ball, factor: number, out: Taylor): number;
+  /** whether what the stand-in misses falls as the third power of the distance from the centre of the ball, nearly */
+  readonly isCubic: boolean;
+  /** By how much the field may differ from that of a skel that was moved or weighted a little otherwise, within the ball; Infinity where that is not known. */
+  apart(other: SkelField, ball: Ball): number;
   /** of the skel itself, without its field */
   readonly box: Box;
   /** mm from the skel beyond which |value| < `threshold`; 0 when it is nowhere larger (FIELD-NOTES §1, Z(17)–(19) corrected) */

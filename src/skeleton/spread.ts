@@ -9,8 +9,9 @@
 import { type AbsoluteChange, type RelativeChange, Step } from '../kernel/change.ts';
 import { halfPower } from '../kernel/halfPower.ts';
 import type { Kernel } from '../kernel/kernel.ts';
-import { mostOfLine, mostOfPlate } from '../kernel/most.ts';
-import type { Sources } from './gaussSources.ts';
+import { mostOfLine, mostOfPlate, mostOfPower } from '../kernel/most.ts';
+import type { Ball } from './ball.ts';
+import { Choice, type Sources } from './gaussSources.ts';
 import { type Extent, type See, Sight } from './sight.ts';
 import type { FieldValue, Spread } from './skeleton.ts';
 import type { Taylor } from './taylor.ts';
@@ -38,6 +39,7 @@ interface Adding {
 
 const sight = new Sight();
 const step = new Step();
+const choice = new Choice();
 const centre = new Float64Array(4);
 /** [low, high, rest] of one skel */
 const range = new Float64Array(3);
@@ -50,6 +52,8 @@ class Last {
   z = 0.5;
   radius = 0.5;
   isNothing = false;
+  /** whether `choice` is made */
+  isChosen = false;
 }
 
 export class Spreader {
@@ -59,6 +63,10 @@ export class Spreader {
   /** kernel units of a millimetre */
   readonly #per: number;
   readonly #least: number;
+  /** of powers: what is added to r², n, and the field of a line without end at distance 1; 0 where that is not all there is to it */
+  readonly #core: number;
+  readonly #power: number;
+  readonly #line: number;
   readonly #see: See;
   readonly #sources: Sources | null;
 
@@ -79,10 +87,23 @@ export class Spreader {
     this.#per = per;
     const { floor2 } = kernel;
     this.#least = Math.sqrt(extent.dimension === 2 ? floor2.plate : floor2.line);
+    const { change, wholeLine } = kernel;
+    const isPower = change.type === 'relative';
+    this.#core = isPower ? change.core : 0;
+    this.#power = isPower ? change.power(exponent) : 0;
+    const isLine = isPower && extent.dimension === 1;
+    this.#line = isLine && wholeLine ? wholeLine(1 - this.#core, exponent) : 0;
   }
 
   /** The largest |F| at that squared distance or farther. */
   most(r2: number): number {
+    if (this.#line === 0) return this.#mostElse(r2);
+    const { size, most } = this.#extent;
+    const at = this.#core + Math.max(r2, this.#least * this.#least);
+    return most * mostOfPower(at, this.#power, size, this.#line);
+  }
+
+  #mostElse(r2: number): number {
     const { dimension, size, turns, most } = this.#extent;
     const n = this.#exponent;
     if (dimension === 1) return most * mostOfLine(this.#kernel, r2, size, n);
@@ -90,11 +111,11 @@ export class Spreader {
     return most * this.#kernel.value(Math.max(r2, this.#least * this.#least), n);
   }
 
-  /** Adds `factor` times the spread of `field` within `radius` mm. */
-  add(field: Adding, x: number, y: number, z: number, radius: number, factor: number, out: Spread): void {
-    if (this.#isNothing(x, y, z, radius)) return;
+  /** Adds `factor` times the spread of `field` within the ball. */
+  add(field: Adding, ball: Ball, factor: number, out: Spread): void {
+    if (this.#isNothing(ball)) return;
     for (let i = 0; i < 4; i++) centre[i] = 0;
-    field.add(x, y, z, 1, centre);
+    field.add(ball.x, ball.y, ball.z, 1, centre);
     const { change } = this.#kernel;
     if (change.type === 'relative') this.#relative(change);
     else this.#absolute(change);
@@ -102,8 +123,8 @@ export class Spreader {
   }
 
   /** What `missed` of SkelField says. */
-  missed(x: number, y: number, z: number, radius: number, most: number): number {
-    if (this.#isNothing(x, y, z, radius)) return 0;
+  missed(ball: Ball, most: number): number {
+    if (this.#isNothing(ball)) return 0;
     const { change } = this.#kernel;
     const { near } = step;
     if (change.type === 'absolute') {
@@ -114,17 +135,21 @@ export class Spreader {
     if (this.#sources) change.cubic(step);
     else change.factors(step);
     if (whole * step.bend > most) return Infinity;
-    const off = this.#bent(change, whole);
+    let off = 0;
+    if (this.#sources) {
+      choose(this.#sources, whole);
+      off = choice.off;
+    }
     return (whole + off) * step.bend + off + MARGIN * whole + sight.slack;
   }
 
   /**
-   * By how much the field may change within `radius` mm when its places move by `shift` and its mass by `mass`, kernel units: the
+   * By how much the field may change within the ball when its places move by `shift` and its mass by `mass`, kernel units: the
    * sources of M^−n move by θ = shift/M and take it to at most (1 − θ)^−n of itself.
    */
-  apart(x: number, y: number, z: number, radius: number, shift: number, mass: number): number {
+  apart(ball: Ball, shift: number, mass: number): number {
     const { change } = this.#kernel;
-    this.#isNothing(x, y, z, radius);
+    this.#isNothing(ball);
     const { near } = step;
     if (change.type === 'absolute' || !sight.isClear || near - shift < this.#least) return Infinity;
     const n = change.power(this.#exponent);
@@ -136,47 +161,32 @@ export class Spreader {
   }
 
   /** What `standIn` of SkelField says. */
-  standIn(
-    field: Adding,
-    x: number,
-    y: number,
-    z: number,
-    radius: number,
-    factor: number,
-    out: Taylor,
-  ): number {
+  standIn(field: Adding, ball: Ball, factor: number, out: Taylor): number {
     const { change } = this.#kernel;
-    if (this.#isNothing(x, y, z, radius) || change.type === 'absolute') return 0;
+    if (this.#isNothing(ball) || change.type === 'absolute') return 0;
     const sources = this.#sources;
     if (!sources) {
-      field.add(x, y, z, factor, out);
+      field.add(ball.x, ball.y, ball.z, factor, out);
       return WITH_GRADIENT;
     }
-    this.#bent(change, this.most(step.r * step.r));
-    sources.add(x, y, z, factor, sources.count, out);
-    return sources.count * POINT;
-  }
-
-  /** Sees to `bend` as what the stand-in's polynomial leaves out, and says by how much its sources are off. */
-  #bent(change: RelativeChange, whole: number): number {
-    if (!this.#sources) {
-      change.factors(step);
-      return 0;
+    if (!last.isChosen) {
+      change.cubic(step);
+      choose(sources, this.most(step.r * step.r));
     }
-    change.cubic(step);
-    const { near } = step;
-    const { size, most } = this.#extent;
-    const field = most * size * this.#kernel.value(near * near, this.#exponent);
-    return field * this.#sources.error(near, (SOURCES * step.bend * whole) / field);
+    const { count } = choice;
+    sources.add(ball, factor, count, out);
+    return count * POINT;
   }
 
   /** Sees to the step and the sight; whether the ball is beyond the support. */
-  #isNothing(x: number, y: number, z: number, radius: number): boolean {
+  #isNothing(ball: Ball): boolean {
+    const { x, y, z, radius } = ball;
     // what is missed too much is asked for its spread next
     if (last.spreader === this && last.x === x && last.y === y && last.z === z && last.radius === radius) {
       return last.isNothing;
     }
-    last.isNothing = this.#look(x, y, z, radius);
+    last.isNothing = this.#look(ball);
+    last.isChosen = false;
     last.spreader = this;
     last.x = x;
     last.y = y;
@@ -185,10 +195,10 @@ export class Spreader {
     return last.isNothing;
   }
 
-  #look(x: number, y: number, z: number, radius: number): boolean {
-    this.#see(x, y, z, radius, sight);
+  #look(ball: Ball): boolean {
+    this.#see(ball, sight);
     const { distance, slack } = sight;
-    const by = radius * this.#per * (1 + ROUNDING);
+    const by = ball.radius * this.#per * (1 + ROUNDING);
     const near = Math.max(distance - by - ROUNDING * (distance + by), 0);
     step.r = Math.max(distance * (1 - ROUNDING), this.#least);
     step.by = by;
@@ -258,8 +268,18 @@ export class Spreader {
   }
 }
 
+/** As many sources as what the polynomial leaves out allows. */
+function choose(sources: Sources, whole: number): void {
+  choice.near = step.near;
+  choice.enough = SOURCES * step.bend * whole;
+  sources.choose(choice);
+  last.isChosen = true;
+}
+
 function write(out: Spread, factor: number): void {
-  const [low, high, rest] = [range[0]!, range[1]!, range[2]!];
+  const low = range[0]!;
+  const high = range[1]!;
+  const rest = range[2]!;
   const size = Math.abs(factor);
   const half = 0.5 * (high - low);
   if (rest < half) {

@@ -49,11 +49,10 @@ export function evaluateTaylor(c: Taylor, x: number, y: number, z: number, out: 
   out[3] = c[3]! + 2 * c[6]! * z + c[8]! * y + c[9]! * x;
 }
 
-/** The same polynomial about a centre that is (x, y, z) away. */
-export function shiftedTaylor(c: Taylor, x: number, y: number, z: number): Taylor {
-  const out = c.slice();
+/** Writes the same polynomial about a centre that is (x, y, z) away. */
+export function shiftTaylor(c: Taylor, x: number, y: number, z: number, out: Taylor): void {
   evaluateTaylor(c, x, y, z, out);
-  return out;
+  for (let i = 4; i < TAYLOR; i++) out[i] = c[i]!;
 }
 
 /** Adds `local` of l(v) = rows · v: of a linear map of the variables, its rows one after the other. */

@@ -11,7 +11,7 @@ import { leastOf, rounded } from './timing.ts';
 
 const CELLS = 128;
 const BALLS = 45;
-const ROUNDS = 5;
+const ROUNDS = 12;
 /** s, of the example's motion */
 const TIME = 10;
 const MOST_TRIANGLES = 400_000;

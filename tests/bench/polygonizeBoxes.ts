@@ -18,12 +18,14 @@ import { rounded } from './timing.ts';
 /** mm, half of each box */
 const SCENES = { tree16: 1, tree64: 1, tree178: 1, tree1024: 2.52, blob200: 1 } as const;
 const CELLS = process.env.ROTUND_FULL === undefined ? [64, 128, 256] : [64, 128, 256, 512];
-const ROUNDS = 3;
+/** engines need some to know the code; large lattices take long */
+const ROUNDS = { small: 8, large: 3 };
 /** skels asked for the errors of a mesh */
 const ERRORS = 4e7;
 
 export function timeBoxes(): void {
-  for (const name of Object.keys(SCENES) as (keyof typeof SCENES)[]) {
+  const chosen = process.env.ROTUND_SCENES?.split(',') ?? Object.keys(SCENES);
+  for (const name of chosen.filter((one): one is keyof typeof SCENES => one in SCENES)) {
     const skels = sceneNode(name).skels.length;
     let before = 0;
     const rows = CELLS.map((cells) => {
@@ -42,10 +44,10 @@ function rowOf(name: SceneName & keyof typeof SCENES, skels: number, cells: numb
   const counts = [cells + 1, cells + 1, cells + 1] as const;
   const lattice: Lattice = { origin: [-half, -half, -half], step: (2 * half) / cells, counts };
   const field = bindField(sceneNode(name));
-  const runs = Array.from({ length: cells > 128 ? 1 : ROUNDS }, () => run(field, lattice));
+  const runs = Array.from({ length: cells > 128 ? ROUNDS.large : ROUNDS.small }, () => run(field, lattice));
   const [{ work, mesh, bricks }] = runs as [(typeof runs)[number]];
-  const stages = Math.min(...runs.map(({ times }) => times.field));
-  const whole = Math.min(...runs.map(({ times }) => times.whole));
+  const least = (of: keyof (typeof runs)[number]['times']) => Math.min(...runs.map(({ times }) => times[of]));
+  const [fields, whole] = [least('field'), least('whole')];
   const dense = denseTime(field, lattice);
   const vertices = mesh.positions.length / 3;
   const every = Math.max(1, Math.ceil((vertices * skels) / ERRORS));
@@ -63,7 +65,9 @@ function rowOf(name: SceneName & keyof typeof SCENES, skels: number, cells: numb
       1,
     ),
     'dense, ms': rounded(dense.milliseconds),
-    'culling and values, ms': rounded(stages),
+    'culling and values, ms': rounded(least('values')),
+    'with vertices, ms': rounded(fields),
+    'times faster': rounded(dense.milliseconds / fields, 1),
     'whole, ms': rounded(whole),
     'times faster, whole': rounded(dense.milliseconds / whole, 1),
     'off by, cells: 99.9 %': p999.toPrecision(2),
@@ -72,7 +76,7 @@ function rowOf(name: SceneName & keyof typeof SCENES, skels: number, cells: numb
   return { row, work: work.all };
 }
 
-/** Stage by stage; what the surface crosses of the box's sides is cut off. */
+/** Stage by stage, the field's being culling, values and vertices, the whole's triangles too; what the surface crosses of the box's sides is cut off. */
 function run(field: TreeField, lattice: Lattice) {
   const tally = new Tally();
   const start = performance.now();
@@ -87,15 +91,20 @@ function run(field: TreeField, lattice: Lattice) {
   const evaluated = tally.work;
   const between = performance.now();
   const mesh = new BrickMesh(bricks, values, tally);
+  let triangles = 0;
   bricks.active.forEach((brick, place) => {
-    mesh.add(brick, filled[place]!);
+    if (!mesh.enter(brick, filled[place]!)) return;
+    const placed = performance.now();
+    mesh.join();
+    triangles += performance.now() - placed;
   });
+  const joined = performance.now();
   const made = mesh.mesh();
   const end = performance.now();
   return {
     mesh: made,
     bricks,
     work: { culling: culled, values: evaluated - culled, vertices: tally.work - evaluated, all: tally.work },
-    times: { field: between - start, whole: end - start },
+    times: { values: between - start, field: joined - start - triangles, whole: end - start },
   };
 }

@@ -32,6 +32,8 @@ export function noise({ counts: [nx, ny, nz] }: Lattice, values: Float64Array): 
     low: -1,
     high: 1,
     error: 0,
+    errorAt: () => 0,
+    mostMissed: Infinity,
     asked: 1,
     branches: 1,
     node: 0,

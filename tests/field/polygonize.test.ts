@@ -201,6 +201,8 @@ describe('boxes and lattices', () => {
         low: of.low,
         high: of.high,
         error: of.error,
+        mostMissed: of.mostMissed,
+        errorAt: (x, y, z) => of.errorAt(x, y, z),
         asked: of.asked,
         branches: 1,
         node: 0,

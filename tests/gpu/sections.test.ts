@@ -170,6 +170,7 @@ describeGpu(`cross sections in WGSL are their twins (${COUNT} points, seed ${SEE
           out[k]! += factor * term;
         });
       },
+      isCubic: false,
       spread: () => {},
       standIn: () => 0,
       apart: () => Infinity,

@@ -1,6 +1,7 @@
 /** How far the fields of a segment and of one that was moved a little may be apart. */
 import { expect, test } from 'vitest';
 import type { Vec3 } from '../../src/math/vec.ts';
+import { Ball } from '../../src/skeleton/ball.ts';
 import { bindSkel } from '../../src/skeleton/index.ts';
 import type { SegmentSkel } from '../../src/skeleton/skels.ts';
 import { random } from '../fixtures/random.ts';
@@ -32,7 +33,7 @@ test(`a moved segment differs by no more than is said (seed ${SEED})`, () => {
       const [one, other] = [bindSkel(skel, kernel, params), bindSkel(moved, kernel, params)];
       const p = any(5);
       const radius = 0.5 * next();
-      const most = one.apart(other, ...p, radius);
+      const most = one.apart(other, new Ball().set(...p, radius));
       if (most === Infinity) continue;
       known++;
       for (let j = 0; j < 8; j++) {

@@ -1,6 +1,7 @@
 /** What stands for a skel from afar, and what that misses. */
 import { expect, test } from 'vitest';
 import type { Vec3 } from '../../src/math/vec.ts';
+import { Ball } from '../../src/skeleton/ball.ts';
 import { bindSkel } from '../../src/skeleton/index.ts';
 import { TAYLOR, taylorAt } from '../../src/skeleton/taylor.ts';
 import { random } from '../fixtures/random.ts';
@@ -23,16 +24,18 @@ test(`the stand-in misses no more than is said (seed ${SEED})`, () => {
       const field = bindSkel(skel, kernel, params);
       for (const p of pointsAround(skel, SEED + i, 4)) {
         const radius = 0.1 + 0.5 * next();
-        const missed = field.missed(...p, radius, Infinity);
-        expect([missed, Infinity]).toContain(field.missed(...p, radius, 0.9 * missed));
+        const missed = field.missed(new Ball().set(...p, radius), Infinity);
+        expect([missed, Infinity]).toContain(field.missed(new Ball().set(...p, radius), 0.9 * missed));
         const centre = Math.abs(field.value(...p));
         if (!(missed < SHARE * centre)) continue;
         // of segments long beside their distance the sources, six at most, are what is missed
         const order = { point: 0.13, polygon: 0.26, segment: 1 }[skel.type];
-        expect(field.missed(...p, 0.5 * radius, Infinity), title).toBeLessThan(order * missed + 1e-9);
+        expect(field.missed(new Ball().set(...p, 0.5 * radius), Infinity), title).toBeLessThan(
+          order * missed + 1e-9,
+        );
         const factor = 3;
         const taylor = new Float64Array(TAYLOR);
-        work += field.standIn(...p, radius, factor, taylor);
+        work += field.standIn(new Ball().set(...p, radius), factor, taylor);
         for (let j = 0; j < 3; j++) {
           const d = [next() - 0.5, next() - 0.5, next() - 0.5] as const;
           const k = (radius * (1 - 1e-12)) / Math.hypot(...d);
@@ -58,10 +61,10 @@ test(`what is dropped is no larger than is said, nothing beyond a support (seed 
   for (const { kernel, params } of others) {
     everySpecimen.forEach((skel, i) => {
       const field = bindSkel(skel, kernel, params);
-      expect(field.standIn(...NOWHERE, 1, 1, new Float64Array(TAYLOR))).toBe(0);
+      expect(field.standIn(new Ball().set(...NOWHERE, 1), 1, new Float64Array(TAYLOR))).toBe(0);
       for (const p of pointsAround(skel, SEED + i, 6)) {
         const radius = 0.1 + next();
-        const missed = field.missed(...p, radius, Infinity);
+        const missed = field.missed(new Ball().set(...p, radius), Infinity);
         if (missed === 0) zeros++;
         for (let j = 0; j < 4; j++) {
           const one = () => (radius * (2 * next() - 1)) / Math.sqrt(3);

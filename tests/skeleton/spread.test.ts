@@ -3,6 +3,7 @@ import { describe, expect, test } from 'vitest';
 import { AROUND, closed } from '../../src/field/closed.ts';
 import { cos, sin, TAU } from '../../src/math/trig.ts';
 import type { Vec3 } from '../../src/math/vec.ts';
+import { Ball } from '../../src/skeleton/ball.ts';
 import { bindSkel } from '../../src/skeleton/index.ts';
 import { type SkelField, SPREAD } from '../../src/skeleton/skeleton.ts';
 import type { Skel } from '../../src/skeleton/skels.ts';
@@ -19,7 +20,7 @@ const range = new Float64Array(2);
 
 function rangeOf(field: SkelField, [x, y, z]: Vec3, half: number, factor = 1): readonly [number, number] {
   spread.fill(0);
-  field.spread(x, y, z, AROUND * half, factor, spread);
+  field.spread(new Ball().set(x, y, z, AROUND * half), factor, spread);
   closed(spread, half, range);
   return [range[0]!, range[1]!];
 }
