@@ -1,6 +1,7 @@
 /**
  * The stages one after the other: nodes → share → classify → number → scan → plan → compact → vertices on edges → emit → vertices in
- * the middle of loops. How many vertices and cells there are only the device knows: it plans its own dispatches and the draw
+ * the middle of loops; where there are creases, before emit: rings counted → scan → plan → rings listed → points on creases, and after it
+ * their triangles. How many vertices and cells there are only the device knows: it plans its own dispatches and the draw
  * (Kravtsov §1.3.1 in five steps, but indexed).
  */
 import type { Lattice } from '../../field/lattice.ts';
