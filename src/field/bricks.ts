@@ -15,7 +15,7 @@ export const OUTSIDE = -1;
 export const INSIDE = -2;
 
 /** cells: by how much what a brick misses of far skels may move the surface; a proven bound, four to ten times what it does */
-const MISSED = 1.6e-2;
+export const MISSED = 1.6e-2;
 
 /** places in the octree between two looks at the clock */
 const BATCH = 64;

@@ -59,7 +59,7 @@ const ORIGIN: Vec3 = [0, 0, 0];
 /** kernel widths between nodes at most: what is thinner would be missed between them */
 const RESOLVED = 0.8;
 /** of T, however large cells are: intervals want no more */
-const MOST_MISSED = 1e-2;
+export const MOST_MISSED = 1e-2;
 
 /** The near list of the whole of space: all terms. */
 export function nearSum(
@@ -199,7 +199,8 @@ class NearSum implements Near {
 
   eachLeaf(visit: (leaf: NearLeaf) => void): void {
     const terms = this.#terms.map(({ number }) => number);
-    visit({ leaf: this.#whole.leaf, dropped: null, terms, far: this.#far });
+    const { leaf, steep } = this.#whole;
+    visit({ leaf, dropped: null, terms, far: this.#far, steep });
   }
 
   eachDropped(way: Way, visit: (leaf: NearLeaf) => void): void {

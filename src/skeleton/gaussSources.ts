@@ -20,9 +20,9 @@ export interface Sources {
   add(x: number, y: number, z: number, factor: number, count: GaussPoints, out: Taylor): void;
 }
 
-const MOST = 6;
+export const MOST_SOURCES = 6;
 /** (G!)⁴ / ((2G + 1) ((2G)!)²) */
-const SHARES = Float64Array.of(0, 1 / 12, 1 / 180, 1 / 2800, 1 / 44100, 1 / 698544, 1 / 11099088);
+export const SHARES = Float64Array.of(0, 1 / 12, 1 / 180, 1 / 2800, 1 / 44100, 1 / 698544, 1 / 11099088);
 
 export class GaussSources implements Sources {
   readonly #change: RelativeChange;
@@ -35,7 +35,7 @@ export class GaussSources implements Sources {
   /** |w⁽ʲ⁾| l^j / j! in parts of the largest |w| */
   readonly #bends: Float64Array;
   /** c_m x^m */
-  readonly #terms = new Float64Array(2 * MOST + 1);
+  readonly #terms = new Float64Array(2 * MOST_SOURCES + 1);
   /** sources for the last `error` */
   count: GaussPoints = 1;
 
@@ -54,7 +54,7 @@ export class GaussSources implements Sources {
     this.#a = a;
     this.#u = u;
     this.#per = per;
-    this.#bends = Float64Array.from(frame.weights, (_, j) => (j === 0 ? 1 : bend(frame, j) / most));
+    this.#bends = bendsOf(frame, most);
   }
 
   /**
@@ -66,7 +66,7 @@ export class GaussSources implements Sources {
     const terms = this.#terms;
     terms[0] = 1;
     let off = Infinity;
-    for (let count = 1; count <= MOST; count++) {
+    for (let count = 1; count <= MOST_SOURCES; count++) {
       for (let m = 2 * count - 1; m <= 2 * count; m++) {
         terms[m] = (terms[m - 1]! * x * (m + this.#exponent - 1)) / m;
       }
@@ -103,8 +103,12 @@ export class GaussSources implements Sources {
   }
 }
 
+/** |w⁽ʲ⁾| l^j / j! in parts of `most`, the largest |w|. */
+export const bendsOf = (frame: Pick<LineFrame, 'weights' | 'length'>, most: number): Float64Array =>
+  Float64Array.from(frame.weights, (_, j) => (j === 0 ? 1 : bend(frame, j) / most));
+
 /** Σ C(k, j) |w_k| l^k, not less than |w⁽ʲ⁾| l^j / j! on the line. */
-function bend({ weights, length }: LineFrame, j: number): number {
+function bend({ weights, length }: Pick<LineFrame, 'weights' | 'length'>, j: number): number {
   let sum = 0;
   let choose = 1;
   let power = 1;

@@ -3,6 +3,7 @@
  * the middle of loops. How many vertices and cells there are only the device knows: it plans its own dispatches and the draw
  * (Kravtsov §1.3.1 in five steps, but indexed).
  */
+import type { Lattice } from '../../field/lattice.ts';
 import type { PackedBricks } from '../../field/packedBricks.ts';
 import type { Program } from '../program.ts';
 import { ITEM, totalsOf } from '../scan.ts';
@@ -13,7 +14,7 @@ import { loopTable } from './loopTable.ts';
 import { LATTICE, STAGES, type StageName, type Stages } from './stages.ts';
 
 /** By the names that STAGES binds. */
-export type Bound = Readonly<Record<string, Slice>>;
+export type Bound = Readonly<Record<string, Slice>> & { readonly brickGroups?: Slice & { readonly offset: number } };
 
 /** Per brick: 128 places for nodes, 64 cells. */
 const NODES = 128;
@@ -29,18 +30,29 @@ export function uploadField(
   { lattice, count, grid, lists }: PackedBricks,
   room: Capacity,
 ): Bound {
-  const along = lattice.counts.map((nodes) => (nodes - 1) / 4);
-  if (!along.every((number) => Number.isInteger(number) && number >= 1 && number <= MOST_ALONG))
-    throw new RangeError(`a lattice of ${lattice.counts.join(' × ')} nodes has no bricks of four cells`);
-  const { origin, step } = lattice;
-  const capacities = [room.vertices, 3 * room.triangles, cellsOf(room), 0];
-  const header = LATTICE.pack([{ origin, step, bricks: [...along, count], capacities }]);
   return {
     records: buffers.put('records', program.records, USAGE.storage),
     lists: buffers.put('lists', lists, USAGE.storage),
     grid: buffers.put('grid', grid, USAGE.storage),
-    lattice: buffers.put('lattice', header, USAGE.uniform),
-    values: buffers.get('values', 4 * NODES * roomsOf(count), USAGE.storage | USAGE.copySource),
+    ...latticeBuffers(buffers, lattice, count, room),
+  };
+}
+
+/** The lattice, whose active bricks may be the device's to count, and room for values in so many. RangeError for one without whole bricks. */
+export function latticeBuffers(
+  buffers: Buffers,
+  { origin, step, counts }: Lattice,
+  bricks: number,
+  room: Capacity,
+): Bound {
+  const along = counts.map((nodes) => (nodes - 1) / 4);
+  if (!along.every((number) => Number.isInteger(number) && number >= 1 && number <= MOST_ALONG))
+    throw new RangeError(`a lattice of ${counts.join(' × ')} nodes has no bricks of four cells`);
+  const capacities = [room.vertices, 3 * room.triangles, cellsOf(room), 0];
+  const header = LATTICE.pack([{ origin, step, bricks: [...along, bricks], capacities }]);
+  return {
+    lattice: buffers.put('lattice', header, USAGE.uniform | USAGE.storage),
+    values: buffers.get('values', 4 * NODES * roomsOf(bricks), USAGE.storage | USAGE.copySource),
   };
 }
 
@@ -65,7 +77,7 @@ export function meshBuffers(buffers: Buffers, bricks: number, room: Capacity): B
 const roomsOf = (bricks: number) => Math.max(1, bricks);
 const cellsOf = ({ vertices }: Capacity) => Math.ceil(CELLS_A_VERTEX * vertices);
 
-/** The values at all nodes of so many active bricks. */
+/** The values at all nodes of so many active bricks; of `brickGroups` where the device counts them. */
 export function encodeField(
   device: GPUDevice,
   pass: GPUComputePassEncoder,
@@ -76,7 +88,7 @@ export function encodeField(
   if (bricks === 0) return;
   for (const name of ['nodes', 'share'] as const) {
     bind(device, pass, stages, name, bound);
-    pass.dispatchWorkgroups(...groupsOf(bricks));
+    dispatchBricks(pass, bound, bricks);
   }
 }
 
@@ -88,17 +100,16 @@ export function encodeMesh(
   bound: Bound & Outputs,
   bricks: number,
 ) {
-  const groups = groupsOf(roomsOf(bricks));
   const start = (name: StageName) => bind(device, pass, stages, name, bound);
   start('classify');
-  pass.dispatchWorkgroups(...groups);
+  dispatchBricks(pass, bound, roomsOf(bricks));
   start('number');
   pass.dispatchWorkgroups(Math.ceil(roomsOf(bricks) / 64));
   stages.scan.encode(pass, bound.counts!, bound.totals!);
   start('plan');
   pass.dispatchWorkgroups(1);
   start('compact');
-  pass.dispatchWorkgroups(...groups);
+  dispatchBricks(pass, bound, roomsOf(bricks));
   bind(device, pass, stages, 'vertices', { ...bound, span: bound.edgeSpan! });
   pass.dispatchWorkgroupsIndirect(bound.dispatches!.buffer, 0);
   start('emit');
@@ -128,8 +139,14 @@ function bind(
   if (name === 'nodes' || name === 'vertices') group(1, { records: 0, lists: 1 });
 }
 
+/** A group a brick: `bricks` of them, or as many as the device has found (src/gpu/bricks). */
+function dispatchBricks(pass: GPUComputePassEncoder, { brickGroups }: Bound, bricks: number): void {
+  if (brickGroups) pass.dispatchWorkgroupsIndirect(brickGroups.buffer, brickGroups.offset);
+  else pass.dispatchWorkgroups(...groupsOf(bricks));
+}
+
 /** In rows that no device refuses. */
-function groupsOf(count: number): [x: number, y: number] {
+export function groupsOf(count: number): [x: number, y: number] {
   const rows = Math.max(1, Math.ceil(count / 65535));
   return [Math.ceil(count / rows), rows];
 }

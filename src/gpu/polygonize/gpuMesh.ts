@@ -1,11 +1,17 @@
 /** A mesh that lives on the GPU: how large it is only the device knows until it is asked. */
 import type { FieldMesh } from '../../field/brickMesh.ts';
+import { COUNTERS, type LevelRoom, neededRooms, overflows } from '../bricks/levels.ts';
 import { type Buffers, type readBack, type Slice, USAGE } from './buffers.ts';
 
 /** How much there is room for. */
 export interface Capacity {
   readonly vertices: number;
   readonly triangles: number;
+}
+
+export interface Needed extends Capacity {
+  /** cubes and entries of each level of bricks that the device culls, where it did */
+  readonly bricks: readonly LevelRoom[];
 }
 
 export interface GpuMesh {
@@ -23,8 +29,8 @@ export interface GpuMesh {
   readonly room: Capacity;
   /** Whether there was not room enough: the mesh is empty then. */
   overflowed(): Promise<boolean>;
-  /** How large it is, or would have to be. */
-  needed(): Promise<Capacity>;
+  /** How large it is, or would have to be; of bricks that there was no room for only these are known. */
+  needed(): Promise<Needed>;
   /** All of it. Rejects for one that overflowed. */
   read(): Promise<FieldMesh>;
   /** Gives the buffers to meshes that come later. */
@@ -40,6 +46,8 @@ export interface Outputs {
   readonly draw: Slice;
   /** as State in shaders/polygonize/state.wgsl */
   readonly state: Slice;
+  /** of bricks that the device culls: cubes and rows of each level */
+  readonly counters: Slice;
 }
 
 export function outputs(buffers: Buffers, { vertices, triangles }: Capacity): Outputs {
@@ -52,21 +60,25 @@ export function outputs(buffers: Buffers, { vertices, triangles }: Capacity): Ou
     indices: buffers.get('indices', 12 * triangles, shared | USAGE.index),
     draw: buffers.get('draw', 20, shared | USAGE.indirect),
     state: buffers.get('state', 32, shared | USAGE.uniform),
+    counters: buffers.put('counters', new Uint32Array(COUNTERS), shared),
   };
 }
 
-/** `read`: bytes of buffers, or why there are none. */
+/** `read`: bytes of buffers, or why there are none. `rooms`: of the levels of bricks, where the device culls. */
 export function gpuMesh(
-  { positions, normals, colours, indices, draw, state }: Outputs,
+  { positions, normals, colours, indices, draw, state, counters }: Outputs,
   read: (slices: readonly Slice[]) => ReturnType<typeof readBack>,
   giveBack: () => void,
+  rooms: readonly LevelRoom[] = [],
 ): GpuMesh {
   let isGone = false;
   const found = async () => {
     if (isGone) throw new Error('the mesh was given back');
-    const [bytes] = await read([state]);
+    const [bytes, counted] = await read([state, counters]);
     const [edges, , triangles, middles, overflow] = new Uint32Array(bytes!);
-    return { vertices: edges! + middles!, triangles: triangles!, overflowed: overflow !== 0 };
+    const bricks = neededRooms(new Uint32Array(counted!));
+    const overflowed = overflow !== 0 || overflows(rooms, bricks);
+    return { vertices: edges! + middles!, triangles: triangles!, bricks, overflowed };
   };
   return {
     positions: positions.buffer,

@@ -3,7 +3,13 @@
  * excepted: the same loops around the same cells. Where a mesh does not fit it stays empty and says so; what it needs is known then, and the next has it.
  */
 import type { FieldNode } from '../../field/node.ts';
+import type { Lattice } from '../../field/lattice.ts';
 import type { PackedBricks } from '../../field/packedBricks.ts';
+import { boundedProgram } from '../bricks/bounds.ts';
+import { isCulledOnDevice, rowsOf } from '../bricks/cullsOnDevice.ts';
+import { type Culling, encodeCulling } from '../bricks/encode.ts';
+import { firstRooms, grownRooms, type LevelRoom, largerRooms } from '../bricks/levels.ts';
+import { brickStagesOn } from '../bricks/stages.ts';
 import type { Modules } from '../link.ts';
 import { type Program, programOf } from '../program.ts';
 import { Buffers, MOST_BYTES, readBack } from './buffers.ts';
@@ -12,14 +18,17 @@ import { type Capacity, type GpuMesh, gpuMesh, outputs } from './gpuMesh.ts';
 import { type ListedBricks, packBricks } from './lists.ts';
 import { type Stages, stagesOn } from './stages.ts';
 
+/** Bricks of that very tree; or a lattice, whose bricks the device finds itself where it can (bricks/cullsOnDevice.ts). */
+export type Where = ListedBricks | PackedBricks | Lattice;
+
 export interface GpuPolygonizer {
   /**
    * Begins a mesh; resolves when the device has taken the work, not when it is done. FieldError for what has no field, RangeError for
    * what no device is promised to hold.
    */
-  polygonize(node: FieldNode, bricks: ListedBricks | PackedBricks): Promise<GpuMesh>;
+  polygonize(node: FieldNode, where: Where): Promise<GpuMesh>;
   /** A mesh that fits: asks the device, and begins again where it did not. */
-  whole(node: FieldNode, bricks: ListedBricks | PackedBricks): Promise<GpuMesh>;
+  whole(node: FieldNode, where: Where): Promise<GpuMesh>;
   /** Gives all buffers back, those of meshes that were not destroyed excepted. */
   destroy(): void;
 }
@@ -49,6 +58,8 @@ class Polygonizer implements GpuPolygonizer {
   readonly #first: Capacity | null;
   /** of one that did not fit */
   #needed: Capacity | null = null;
+  /** of levels of bricks that the device culls */
+  #rooms: readonly LevelRoom[] | null = null;
   #isGone = false;
   #lost: string | null = null;
 
@@ -62,14 +73,14 @@ class Polygonizer implements GpuPolygonizer {
     });
   }
 
-  async polygonize(node: FieldNode, bricks: ListedBricks | PackedBricks): Promise<GpuMesh> {
+  async polygonize(node: FieldNode, where: Where): Promise<GpuMesh> {
     const program = programOf(node);
-    const packed = 'lists' in bricks ? bricks : packBricks(node, bricks);
+    const ground = 'origin' in where ? await this.#cullingOf(node, program, where) : packed(node, where);
     const stages = await this.#told(this.#stages(program.ingredients));
     if (this.#isGone) throw new Error('the polygonizer was given back');
     const own = this.#free.pop() ?? new Buffers(this.#device);
     try {
-      return await this.#taken(() => this.#begin(stages, program, packed, own));
+      return await this.#taken(() => this.#begin(stages, program, ground, own));
     } catch (error) {
       // among them may be some that there was no memory for
       for (const buffers of [own, this.#work]) buffers.destroy();
@@ -77,12 +88,14 @@ class Polygonizer implements GpuPolygonizer {
     }
   }
 
-  async whole(node: FieldNode, bricks: ListedBricks | PackedBricks): Promise<GpuMesh> {
-    const packed = 'lists' in bricks ? bricks : packBricks(node, bricks);
+  async whole(node: FieldNode, where: Where): Promise<GpuMesh> {
+    const ground = 'origin' in where ? where : packed(node, where);
     for (;;) {
-      const mesh = await this.polygonize(node, packed);
+      const mesh = await this.polygonize(node, ground);
       if (!(await mesh.overflowed())) return mesh;
-      this.#needed = await mesh.needed();
+      const needed = await mesh.needed();
+      this.#rooms = this.#rooms && grownRooms(this.#rooms, needed.bricks);
+      if (needed.vertices > 0) this.#needed = needed;
       mesh.destroy();
     }
   }
@@ -93,22 +106,37 @@ class Polygonizer implements GpuPolygonizer {
     this.#free.length = 0;
   }
 
-  #begin(stages: Stages, program: Program, bricks: PackedBricks, own: Buffers): GpuMesh {
-    const room = this.#roomFor(bricks);
-    const written = outputs(own, room);
-    const field = uploadField(this.#work, program, bricks, room);
-    const bound = { ...field, ...meshBuffers(this.#work, bricks.count, room), ...written };
-    const encoder = this.#device.createCommandEncoder({ label: 'polygonize' });
-    const pass = encoder.beginComputePass({ label: 'polygonize' });
-    encodeField(this.#device, pass, stages, field, bricks.count);
-    encodeMesh(this.#device, pass, stages, bound, bricks.count);
-    pass.end();
-    this.#device.queue.submit([encoder.finish()]);
-    const read = (slices: Parameters<typeof readBack>[1]) => this.#told(readBack(this.#device, slices));
-    return gpuMesh(written, read, () => this.#takeBack(own));
+  /** How the device culls that tree. */
+  async #cullingOf(node: FieldNode, program: Program, lattice: Lattice): Promise<Culling> {
+    if (!isCulledOnDevice(program)) throw new RangeError('a tree whose bricks the device cannot find');
+    const stages = await this.#told(brickStagesOn(this.#device)(program.ingredients));
+    const bounded = boundedProgram(node, program);
+    const first = firstRooms(lattice, rowsOf(program));
+    this.#rooms = this.#rooms ? largerRooms(first, this.#rooms) : first;
+    return { lattice, stages, bounded, rooms: this.#rooms };
   }
 
-  #roomFor({ count }: PackedBricks): Capacity {
+  #begin(stages: Stages, program: Program, ground: PackedBricks | Culling, own: Buffers): GpuMesh {
+    const count = 'count' in ground ? ground.count : ground.rooms.at(-1)!.cubes;
+    const room = this.#roomFor(count);
+    const written = outputs(own, room);
+    const [device, work] = [this.#device, this.#work];
+    const encoder = device.createCommandEncoder({ label: 'polygonize' });
+    const pass = encoder.beginComputePass({ label: 'polygonize' });
+    const field =
+      'count' in ground
+        ? uploadField(work, program, ground, room)
+        : encodeCulling(device, pass, stages.scan, work, ground, room, written.counters);
+    const bound = { ...field, ...meshBuffers(work, count, room), ...written };
+    encodeField(device, pass, stages, field, count);
+    encodeMesh(device, pass, stages, bound, count);
+    pass.end();
+    device.queue.submit([encoder.finish()]);
+    const read = (slices: Parameters<typeof readBack>[1]) => this.#told(readBack(device, slices));
+    return gpuMesh(written, read, () => this.#takeBack(own), 'count' in ground ? [] : ground.rooms);
+  }
+
+  #roomFor(count: number): Capacity {
     if (this.#first && !this.#needed) return this.#first;
     const guess = Math.max(FEWEST, VERTICES_A_BRICK * count);
     const { vertices, triangles } = this.#needed ?? { vertices: 0, triangles: 0 };
@@ -145,6 +173,9 @@ class Polygonizer implements GpuPolygonizer {
     return result as T;
   }
 }
+
+const packed = (node: FieldNode, bricks: ListedBricks | PackedBricks): PackedBricks =>
+  'lists' in bricks ? bricks : packBricks(node, bricks);
 
 /** What came of it, or what was thrown. */
 function settled<T>(work: () => T): { readonly value: T } | { readonly error: unknown } {

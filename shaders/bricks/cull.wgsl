@@ -1,0 +1,272 @@
+#import bricks/level
+#import bricks/shapeRange
+#import bricks/sumRange
+#import bricks/treeRange
+#import field/place
+#import polygonize/lattice
+#import record/program
+
+// Cubes of one level: what of the field matters in each, and whether the surface may be there. A group is a cube, an eighth of one of the
+// level above. Twin of src/field/bricks.ts, which begins with one cube for all.
+
+// of the cubes that are kept, in any order: a header each, then their entries
+@group(0) @binding(1) var<storage, read_write> lists: array<u32>;
+@group(0) @binding(2) var<storage, read_write> counters: array<atomic<u32>>;
+// of all bricks; of those that are kept their places among the headers
+@group(0) @binding(3) var<storage, read_write> grid: array<i32>;
+// of each level: groups, and cubes above
+@group(0) @binding(4) var<storage, read> dispatches: array<vec4u>;
+
+// half a last digit of coordinates and what is added to them
+const EPSILON = 4e-7;
+// √3
+const AROUND = 1.7320509;
+
+struct Verdict {
+  is_kept: u32,
+  // brick by brick
+  is_filled: u32,
+  slot: u32,
+  row: u32,
+}
+
+var<workgroup> verdict: Verdict;
+
+// the entry that comes next in the list of the cube around, and sums and masks so far
+struct Cursor {
+  at: u32,
+  met: u32,
+  masks: u32,
+}
+
+@compute @workgroup_size(WIDTH)
+fn cull(
+  @builtin(workgroup_id) group: vec3u,
+  @builtin(num_workgroups) groups: vec3u,
+  @builtin(local_invocation_index) thread: u32,
+) {
+  let number = brick_of(group, groups);
+  var cursor = Cursor(WHOLE, 0u, 0u);
+  var place: vec3u;
+  if (level.number == 0u) {
+    let along = (lattice.bricks.xyz + level.size - 1u) / level.size;
+    place = level.size * vec3u(number % along.x, number / along.x % along.y, number / along.x / along.y);
+  } else {
+    if (number >= 8u * dispatches[level.number].w) {
+      return;
+    }
+    let header = outer[number / 8u];
+    cursor.at = header.y;
+    place = brick_place(header) + level.size * ((vec3u(number % 8u) >> vec3u(0u, 1u, 2u)) & vec3u(1u));
+  }
+  if (any(place >= lattice.bricks.xyz)) {
+    return;
+  }
+  let range = tree_range(place, &cursor, thread);
+  if (thread == 0u) {
+    judge(place, range, cursor.met);
+  }
+  workgroupBarrier();
+  if (verdict.is_filled == 1u) {
+    fill_inside(place, thread);
+  }
+  if (verdict.is_kept == 1u) {
+    write_entries(cursor.met, thread);
+  }
+}
+
+fn tree_range(place: vec3u, cursor: ptr<function, Cursor>, thread: u32) -> Range {
+  let half = 2.0 * f32(level.size) * lattice.step;
+  let centre = lattice.origin + lattice.step * (4.0 * vec3f(place) + 2.0 * f32(level.size));
+  let far = max(abs(centre.x), max(abs(centre.y), abs(centre.z)));
+  let origin = abs(lattice.origin);
+  let grown = half * SAFE + EPSILON * (far + half + max(origin.x, max(origin.y, origin.z)));
+  let program = load_program(0u);
+  var stack: array<Range, STACK>;
+  var height = 0u;
+  var result: Range;
+  var leaf = level.leaves;
+  for (var at = program.first; at < program.end; at += STEP_STRIDE) {
+    let step = load_step(at);
+    var early = result;
+    var late = result;
+    if (step.take == TAKE_STACK) {
+      height -= 1u;
+      early = stack[height];
+    } else {
+      late = leaf_range(step, load_leaf(leaf), centre, grown, cursor, thread);
+    }
+    leaf += LEAF_STRIDE;
+    if (step.role == ROLE_JOIN) {
+      result = joined_range(step, early, late, (*cursor).met);
+      continue;
+    }
+    if (step.role == ROLE_PUSH) {
+      stack[height] = result;
+      height += 1u;
+    }
+    result = late;
+  }
+  return result;
+}
+
+fn leaf_range(
+  step: Step,
+  leaf: Leaf,
+  centre: vec3f,
+  half: f32,
+  cursor: ptr<function, Cursor>,
+  thread: u32,
+) -> Range {
+  let radius = AROUND * half;
+  var ball = Ball(centre, radius, 0.0, half, step.place != 0u, mat3x3f());
+  var scale = 1.0;
+  if (ball.is_moved) {
+    let moving = load_place(step.place);
+    let from_origin = dot(abs(centre), vec3f(1.0)) + dot(abs(moving.origin), vec3f(1.0)) + radius;
+    ball.off = EPSILON * (leaf.stretch * from_origin + dot(abs(moving.low), vec3f(1.0)));
+    ball.centre = to_local(moving, centre);
+    ball.radius = leaf.stretch * radius + ball.off;
+    ball.inverse = moving.inverse;
+    scale = moving.scale;
+  }
+  if (step.take == TAKE_SHAPE) {
+    let range = scale * shape_range(load_shape(step.at), ball, scale);
+    return Range(range.x, range.y, 0.0, (*cursor).met, true);
+  }
+  let first = (*cursor).met;
+  (*cursor).met += 1u;
+  let sum = load_sum(step.at);
+  var list = whole_sum(sum);
+  if ((*cursor).at != WHOLE) {
+    let head = outer[(*cursor).at];
+    if (head.x != LISTED) {
+      (*cursor).at += select(0u, 1u, head.y == (*cursor).met);
+      dropped_low |= select(0u, 1u << first, head.x == DROPPED_LOW);
+      dropped_high |= select(0u, 1u << first, head.x == DROPPED_HIGH);
+      let value = select(-MOST, MOST, head.x == DROPPED_HIGH);
+      return Range(value, value, 0.0, first, true);
+    }
+    list = outer_sum((*cursor).at, head);
+    (*cursor).at = list.at + (head.z + 3u) / 4u;
+  }
+  let range = sum_range(sum, leaf, list, ball, level.allowed, first, (*cursor).masks, thread);
+  (*cursor).masks += (list.count + WIDTH - 1u) / WIDTH;
+  return Range(range.low, range.high, range.error, first, true);
+}
+
+// in the frame of the shape
+fn shape_range(shape: Shape, ball: Ball, scale: f32) -> vec2f {
+  let field = shape_field(shape, ball.centre);
+  let gradient = select(field.yzw, field.yzw * ball.inverse, ball.is_moved);
+  return distance_range(shape, field.x, ball.centre, ball.radius, ball.half * dot(abs(gradient), vec3f(1.0)));
+}
+
+// One thread decides, and takes room for what is kept. What there is no room for only counts.
+fn judge(place: vec3u, range: Range, sums: u32) {
+  verdict.is_kept = 0u;
+  // what is no number stays
+  let is_outside = range.high <= 0.0;
+  // nothing is known beyond the border: what is inside there is cut off
+  let is_at_border = any(place == vec3u(0u)) || any(place + level.size >= lattice.bricks.xyz);
+  let is_inside = range.low > 0.0 && !is_at_border;
+  verdict.is_filled = u32(is_inside && !is_outside);
+  if (is_outside || is_inside) {
+    return;
+  }
+  let rows = rows_needed(sums);
+  let slot = atomicAdd(&counters[cubes_of(level.number)], 1u);
+  let row = level.entries + atomicAdd(&counters[rows_of(level.number)], rows);
+  if (slot >= level.room || row + rows > level.end) {
+    return;
+  }
+  verdict.is_kept = 1u;
+  verdict.slot = slot;
+  verdict.row = row;
+  let at = 4u * (level.slots + slot);
+  lists[at] = place.x | (place.y << 10u) | (place.z << 20u);
+  lists[at + 1u] = row;
+  lists[at + 2u] = bitcast<u32>(range.error);
+  lists[at + 3u] = 0u;
+  if (level.size == 1u) {
+    grid[place.x + lattice.bricks.x * (place.y + lattice.bricks.y * place.z)] = i32(slot);
+  }
+}
+
+fn fill_inside(place: vec3u, thread: u32) {
+  let size = level.size;
+  for (var i = thread; i < size * size * size; i += WIDTH) {
+    let at = place + vec3u(i % size, i / size % size, i / size / size);
+    if (all(at < lattice.bricks.xyz)) {
+      grid[at.x + lattice.bricks.x * (at.y + lattice.bricks.y * at.z)] = INSIDE;
+    }
+  }
+}
+
+// LISTED, or which way it was dropped
+fn kind_of(sum: u32) -> u32 {
+  let bit = 1u << sum;
+  if ((dropped_low & bit) != 0u) {
+    return DROPPED_LOW;
+  }
+  return select(LISTED, DROPPED_HIGH, (dropped_high & bit) != 0u);
+}
+
+// from a dropped sum on: beyond the last that was dropped the same way
+fn run_end(sum: u32, sums: u32) -> u32 {
+  var end = sum + 1u;
+  while (end < sums && kind_of(end) == kind_of(sum)) {
+    end++;
+  }
+  return end;
+}
+
+fn rows_needed(sums: u32) -> u32 {
+  var rows = 0u;
+  for (var sum = 0u; sum < sums; ) {
+    if (kind_of(sum) == LISTED) {
+      rows += 5u + (origins[sum].w + 3u) / 4u;
+      sum++;
+    } else {
+      rows += 1u;
+      sum = run_end(sum, sums);
+    }
+  }
+  return rows;
+}
+
+fn write_entries(sums: u32, thread: u32) {
+  var row = verdict.row;
+  for (var sum = 0u; sum < sums; ) {
+    let kind = kind_of(sum);
+    if (kind == LISTED) {
+      write_listed(4u * row, sum, thread);
+      row += 5u + (origins[sum].w + 3u) / 4u;
+      sum++;
+      continue;
+    }
+    sum = run_end(sum, sums);
+    if (thread == 0u) {
+      lists[4u * row] = kind;
+      lists[4u * row + 1u] = sum;
+    }
+    row += 1u;
+  }
+}
+
+// the numbers of the terms ascend as those of the list around do
+fn write_listed(at: u32, sum: u32, thread: u32) {
+  if (thread < 20u) {
+    lists[at + thread] = entries[5u * sum + thread / 4u][thread & 3u];
+  }
+  let origin = origins[sum];
+  var before = 0u;
+  for (var first = 0u; first < origin.y; first += WIDTH) {
+    let mask = atomicLoad(&masks[origin.z + first / WIDTH]);
+    if (((mask >> thread) & 1u) == 1u) {
+      let place = before + countOneBits(mask & ((1u << thread) - 1u));
+      lists[at + 20u + place] = outer_term(origin.x, first + thread);
+    }
+    before += countOneBits(mask);
+  }
+}

@@ -1,0 +1,92 @@
+/**
+ * The levels of cubes on the device, from 8 bricks along to one, and how much room each has: a header a cube, then entries. The last
+ * has its headers twice: as they come, and first of all in the order of the grid.
+ */
+import { MISSED } from '../../field/bricks.ts';
+import type { Lattice } from '../../field/lattice.ts';
+import { record } from '../../math/record.ts';
+
+export const LEVEL = record('Level', {
+  number: 'u32',
+  /** bricks along a cube */
+  size: 'u32',
+  /** of the first header of its own, and how many there is room for */
+  slots: 'u32',
+  room: 'u32',
+  /** row of the first entry, and beyond the last */
+  entries: 'u32',
+  end: 'u32',
+  /** of the records: where leaves begin */
+  leaves: 'u32',
+  /** mm: what is missed of far skels may move the surface by */
+  allowed: 'f32',
+});
+
+export const SIZES = [8, 4, 2, 1] as const;
+
+/** What a level needs or has room for. */
+export interface LevelRoom {
+  readonly cubes: number;
+  /** of entries, 16 bytes each */
+  readonly rows: number;
+}
+
+/** bytes of a row, of what the counters are */
+export const ROW = 16;
+export const COUNTERS = 2 * SIZES.length;
+
+export interface Level {
+  readonly room: LevelRoom;
+  readonly bytes: ArrayBuffer;
+  /** of its lists */
+  readonly rows: number;
+}
+
+/** `rows`: entries of a cube that knows nothing yet. */
+export function firstRooms(lattice: Lattice, rows: number): readonly LevelRoom[] {
+  return SIZES.map((size, depth) => {
+    const [x, y, z] = alongOf(lattice, size);
+    // a surface that goes once through the lattice each way
+    const cubes = Math.min(x * y * z, x * y + y * z + z * x);
+    return { cubes, rows: cubes * Math.min(rows, Math.ceil(rows / 2 ** depth) + 8) };
+  });
+}
+
+/** The larger of both everywhere. */
+export const largerRooms = (a: readonly LevelRoom[], b: readonly LevelRoom[]): readonly LevelRoom[] =>
+  a.map(({ cubes, rows }, i) => ({ cubes: Math.max(cubes, b[i]!.cubes), rows: Math.max(rows, b[i]!.rows) }));
+
+/** What is there, grown to what was needed; what came after a level that was too small is not known yet. */
+export const grownRooms = (rooms: readonly LevelRoom[], needed: readonly LevelRoom[]): readonly LevelRoom[] =>
+  rooms.map(({ cubes, rows }, i) => ({
+    cubes: Math.max(cubes, grown(needed[i]!.cubes, cubes)),
+    rows: Math.max(rows, grown(needed[i]!.rows, rows)),
+  }));
+
+/** a little more than was needed, for bodies grow under the pen */
+const grown = (needed: number, room: number) => (needed > room ? Math.ceil(1.25 * needed) : 0);
+
+export function levelsOf({ step }: Lattice, rooms: readonly LevelRoom[], leaves: number): readonly Level[] {
+  const slotsOf = (depth: number) => (SIZES[depth] === 1 ? rooms[depth]!.cubes : 0);
+  return rooms.map((room, depth) => {
+    const slots = slotsOf(depth);
+    const entries = slots + room.cubes;
+    const end = entries + room.rows;
+    const size = SIZES[depth]!;
+    const level = { number: depth, size, slots, room: room.cubes, entries, end, leaves };
+    return { room, rows: end, bytes: LEVEL.pack([{ ...level, allowed: (MISSED * step) / size }]) };
+  });
+}
+
+/** cubes along x, y, z */
+export function alongOf({ counts }: Lattice, size: number): readonly [number, number, number] {
+  const along = (nodes: number) => Math.ceil((nodes - 1) / 4 / size);
+  return [along(counts[0]), along(counts[1]), along(counts[2])];
+}
+
+/** Of the counters: what every level needed. */
+export const neededRooms = (counters: Uint32Array): readonly LevelRoom[] =>
+  SIZES.map((_, depth) => ({ cubes: counters[2 * depth]!, rows: counters[2 * depth + 1]! }));
+
+export const overflows = (rooms: readonly LevelRoom[], needed: readonly LevelRoom[]): boolean =>
+  rooms.some(({ cubes, rows }, i) => needed[i]!.cubes > cubes || needed[i]!.rows > rows);

@@ -1,0 +1,97 @@
+/** The pipelines that cull bricks, one a file of shaders/bricks; only `cull` is made for the ingredients of a field. */
+import { shapes } from '../../shape/index.ts';
+import { GAUSS, type GaussPoints } from '../../math/gaussLegendre.ts';
+import { MOST_SOURCES, SHARES } from '../../skeleton/gaussSources.ts';
+import { type Ingredients, KINDS, namesOf, numberOf } from '../ingredients.ts';
+import { compile, link, type Modules } from '../link.ts';
+import { constants } from '../modules.ts';
+import { modulesOf } from '../polygonize/stages.ts';
+import { CHANGE } from './bounds.ts';
+import { LEVEL } from './levels.ts';
+
+/** Buffers of group 0 by their binding; `cull` has the records in group 1. */
+export const BRICK_STAGES = {
+  begin: { grid: 3 },
+  cull: { outer: 0, lists: 1, counters: 2, grid: 3, dispatches: 4, lattice: 8, level: 9 },
+  next: { counters: 2, dispatches: 4, lattice: 5, level: 9 },
+  count: { grid: 3, runs: 6 },
+  number: { lists: 1, grid: 3, runs: 6, level: 9 },
+} as const;
+
+export type BrickStage = keyof typeof BRICK_STAGES;
+export type BrickStages = Readonly<Record<BrickStage, GPUComputePipeline>>;
+
+const NAMES = Object.keys(BRICK_STAGES) as BrickStage[];
+
+type Load = (ingredients: Ingredients) => Promise<BrickStages>;
+const made = new WeakMap<GPUDevice, Load>();
+
+/** The stages for ingredients, each compiled once a device. */
+export function brickStagesOn(device: GPUDevice): Load {
+  const load = made.get(device) ?? loader(device);
+  made.set(device, load);
+  return load;
+}
+
+function loader(device: GPUDevice): Load {
+  const known = new Map<string, Promise<BrickStages>>();
+  return (ingredients) => {
+    const key = KINDS.map((kind) => namesOf(ingredients, kind).join(' ')).join(', ');
+    const stages = known.get(key) ?? loadStages(device, brickModules(ingredients));
+    known.set(key, stages);
+    // what failed once is tried again
+    stages.catch(() => known.delete(key));
+    return stages;
+  };
+}
+
+async function loadStages(device: GPUDevice, modules: Modules): Promise<BrickStages> {
+  const pipelines = NAMES.map(async (name) => {
+    const label = `bricks/${name}`;
+    const module = await compile(device, label, link(modules, label));
+    const compute = { module, entryPoint: name };
+    return [name, await device.createComputePipelineAsync({ label, layout: 'auto', compute })] as const;
+  });
+  return Object.fromEntries(await Promise.all(pipelines)) as Record<BrickStage, GPUComputePipeline>;
+}
+
+/** All that the stages import. */
+export function brickModules(ingredients: Ingredients): Modules {
+  return {
+    ...modulesOf(ingredients),
+    'record/level': LEVEL.wgsl,
+    'table/change': constants('CHANGE_', CHANGE).join(''),
+    'table/operations': operationNumbers(),
+    'table/shapes': convexShapes(ingredients),
+    'table/sources': sourceTables(),
+  };
+}
+
+const operationNumbers = (): string =>
+  constants('', {
+    HARD_UNION: numberOf('operations', 'hardUnion'),
+    SMOOTH_UNION: numberOf('operations', 'smoothUnion'),
+    BLEND_UNION: numberOf('operations', 'blendUnion'),
+  }).join('');
+
+/** Those whose distance is nowhere above what its gradient says. */
+function convexShapes(ingredients: Ingredients): string {
+  const numbers = namesOf(ingredients, 'shapes')
+    .filter((name) => shapes[name].exact && name !== 'torus')
+    .map((name) => `kind == ${numberOf('shapes', name)}u`);
+  return `fn shape_is_convex(kind: u32) -> bool {\n  return ${numbers.join(' || ') || 'false'};\n}\n`;
+}
+
+/** One to six points, one after the other, as (place, weight) for ∫ from 0 to 1; and what their errors are parts of. */
+function sourceTables(): string {
+  const counts = Array.from({ length: MOST_SOURCES }, (_, i) => (i + 1) as GaussPoints);
+  const rows = counts.flatMap((count) => {
+    const { nodes, weights } = GAUSS[count];
+    return Array.from(nodes, (node, i) => `vec2f(${0.5 + 0.5 * node}, ${0.5 * weights[i]!})`);
+  });
+  return [
+    `const MOST_SOURCES = ${MOST_SOURCES}u;\n`,
+    `const SOURCES = array<vec2f, ${rows.length}>(\n  ${rows.join(',\n  ')},\n);\n`,
+    `const SOURCE_SHARES = array<f32, ${SHARES.length}>(${Array.from(SHARES).join(', ')});\n`,
+  ].join('');
+}
