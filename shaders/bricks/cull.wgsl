@@ -6,15 +6,15 @@
 #import polygonize/lattice
 #import record/program
 
-// Cubes of one level: what of the field matters in each, and whether the surface may be there. A group is a cube, an eighth of one of the
-// level above. Twin of src/field/bricks.ts, which begins with one cube for all.
+// Cubes of one level: what of the field matters in each, and whether the surface may be there. A thread is a cube, eight in a row those of
+// one of the level above. Twin of src/field/bricks.ts, which begins with one cube for all.
 
 // of the cubes that are kept, in any order: a header each, then their entries
-@group(0) @binding(1) var<storage, read_write> lists: array<u32>;
+@group(0) @binding(1) var<storage, read_write> lists: array<vec4u>;
 @group(0) @binding(2) var<storage, read_write> counters: array<atomic<u32>>;
 // of all bricks; of those that are kept their places among the headers
 @group(0) @binding(3) var<storage, read_write> grid: array<i32>;
-// of each level: groups, and cubes above
+// of each level: groups of cubes, and how many cubes
 @group(0) @binding(4) var<storage, read> dispatches: array<vec4u>;
 
 // half a last digit of coordinates and what is added to them
@@ -22,39 +22,29 @@ const EPSILON = 4e-7;
 // √3
 const AROUND = 1.7320509;
 
-struct Verdict {
-  is_kept: u32,
-  // brick by brick
-  is_filled: u32,
-  slot: u32,
-  row: u32,
-}
-
-var<workgroup> verdict: Verdict;
-
-// the entry that comes next in the list of the cube around, and sums and masks so far
+// the entry that comes next in the list of the cube around, and sums and their terms there so far
 struct Cursor {
   at: u32,
   met: u32,
-  masks: u32,
+  choices: u32,
 }
 
-@compute @workgroup_size(WIDTH)
+@compute @workgroup_size(32)
 fn cull(
   @builtin(workgroup_id) group: vec3u,
   @builtin(num_workgroups) groups: vec3u,
   @builtin(local_invocation_index) thread: u32,
 ) {
-  let number = brick_of(group, groups);
+  let number = 32u * brick_of(group, groups) + thread;
+  if (number >= dispatches[level.number].w) {
+    return;
+  }
   var cursor = Cursor(WHOLE, 0u, 0u);
   var place: vec3u;
   if (level.number == 0u) {
     let along = (lattice.bricks.xyz + level.size - 1u) / level.size;
     place = level.size * vec3u(number % along.x, number / along.x % along.y, number / along.x / along.y);
   } else {
-    if (number >= 8u * dispatches[level.number].w) {
-      return;
-    }
     let header = outer[number / 8u];
     cursor.at = header.y;
     place = brick_place(header) + level.size * ((vec3u(number % 8u) >> vec3u(0u, 1u, 2u)) & vec3u(1u));
@@ -62,20 +52,21 @@ fn cull(
   if (any(place >= lattice.bricks.xyz)) {
     return;
   }
-  let range = tree_range(place, &cursor, thread);
-  if (thread == 0u) {
-    judge(place, range, cursor.met);
+  let range = tree_range(place, &cursor);
+  // nothing is known beyond the border: what is inside there is cut off
+  let is_at_border = any(place == vec3u(0u)) || any(place + level.size >= lattice.bricks.xyz);
+  // what is no number stays
+  if (range.high <= 0.0) {
+    return;
   }
-  workgroupBarrier();
-  if (verdict.is_filled == 1u) {
-    fill_inside(place, thread);
+  if (range.low > 0.0 && !is_at_border) {
+    fill_inside(place);
+    return;
   }
-  if (verdict.is_kept == 1u) {
-    write_entries(cursor.met, thread);
-  }
+  keep(place, range, cursor.met);
 }
 
-fn tree_range(place: vec3u, cursor: ptr<function, Cursor>, thread: u32) -> Range {
+fn tree_range(place: vec3u, cursor: ptr<function, Cursor>) -> Range {
   let half = 2.0 * f32(level.size) * lattice.step;
   let centre = lattice.origin + lattice.step * (4.0 * vec3f(place) + 2.0 * f32(level.size));
   let far = max(abs(centre.x), max(abs(centre.y), abs(centre.z)));
@@ -94,7 +85,7 @@ fn tree_range(place: vec3u, cursor: ptr<function, Cursor>, thread: u32) -> Range
       height -= 1u;
       early = stack[height];
     } else {
-      late = leaf_range(step, load_leaf(leaf), centre, grown, cursor, thread);
+      late = leaf_range(step, load_leaf(leaf), centre, grown, cursor);
     }
     leaf += LEAF_STRIDE;
     if (step.role == ROLE_JOIN) {
@@ -116,7 +107,6 @@ fn leaf_range(
   centre: vec3f,
   half: f32,
   cursor: ptr<function, Cursor>,
-  thread: u32,
 ) -> Range {
   let radius = AROUND * half;
   var ball = Ball(centre, radius, 0.0, half, step.place != 0u, mat3x3f());
@@ -150,8 +140,8 @@ fn leaf_range(
     list = outer_sum((*cursor).at, head);
     (*cursor).at = list.at + (head.z + 3u) / 4u;
   }
-  let range = sum_range(sum, leaf, list, ball, level.allowed, first, (*cursor).masks, thread);
-  (*cursor).masks += (list.count + WIDTH - 1u) / WIDTH;
+  let range = sum_range(sum, leaf, list, ball, level.allowed, first, (*cursor).choices);
+  (*cursor).choices += list.count;
   return Range(range.low, range.high, range.error, first, true);
 }
 
@@ -162,40 +152,25 @@ fn shape_range(shape: Shape, ball: Ball, scale: f32) -> vec2f {
   return distance_range(shape, field.x, ball.centre, ball.radius, ball.half * dot(abs(gradient), vec3f(1.0)));
 }
 
-// One thread decides, and takes room for what is kept. What there is no room for only counts.
-fn judge(place: vec3u, range: Range, sums: u32) {
-  verdict.is_kept = 0u;
-  // what is no number stays
-  let is_outside = range.high <= 0.0;
-  // nothing is known beyond the border: what is inside there is cut off
-  let is_at_border = any(place == vec3u(0u)) || any(place + level.size >= lattice.bricks.xyz);
-  let is_inside = range.low > 0.0 && !is_at_border;
-  verdict.is_filled = u32(is_inside && !is_outside);
-  if (is_outside || is_inside) {
-    return;
-  }
+// What there is no room for only counts.
+fn keep(place: vec3u, range: Range, sums: u32) {
   let rows = rows_needed(sums);
   let slot = atomicAdd(&counters[cubes_of(level.number)], 1u);
   let row = level.entries + atomicAdd(&counters[rows_of(level.number)], rows);
   if (slot >= level.room || row + rows > level.end) {
     return;
   }
-  verdict.is_kept = 1u;
-  verdict.slot = slot;
-  verdict.row = row;
-  let at = 4u * (level.slots + slot);
-  lists[at] = place.x | (place.y << 10u) | (place.z << 20u);
-  lists[at + 1u] = row;
-  lists[at + 2u] = bitcast<u32>(range.error);
-  lists[at + 3u] = 0u;
+  let packed = place.x | (place.y << 10u) | (place.z << 20u);
+  lists[level.slots + slot] = vec4u(packed, row, bitcast<u32>(range.error), 0u);
   if (level.size == 1u) {
     grid[place.x + lattice.bricks.x * (place.y + lattice.bricks.y * place.z)] = i32(slot);
   }
+  write_entries(row, sums);
 }
 
-fn fill_inside(place: vec3u, thread: u32) {
+fn fill_inside(place: vec3u) {
   let size = level.size;
-  for (var i = thread; i < size * size * size; i += WIDTH) {
+  for (var i = 0u; i < size * size * size; i++) {
     let at = place + vec3u(i % size, i / size % size, i / size / size);
     if (all(at < lattice.bricks.xyz)) {
       grid[at.x + lattice.bricks.x * (at.y + lattice.bricks.y * at.z)] = INSIDE;
@@ -225,7 +200,7 @@ fn rows_needed(sums: u32) -> u32 {
   var rows = 0u;
   for (var sum = 0u; sum < sums; ) {
     if (kind_of(sum) == LISTED) {
-      rows += 5u + (origins[sum].w + 3u) / 4u;
+      rows += 5u + (entries[5u * sum].z + 3u) / 4u;
       sum++;
     } else {
       rows += 1u;
@@ -235,38 +210,43 @@ fn rows_needed(sums: u32) -> u32 {
   return rows;
 }
 
-fn write_entries(sums: u32, thread: u32) {
-  var row = verdict.row;
+fn write_entries(first: u32, sums: u32) {
+  var row = first;
   for (var sum = 0u; sum < sums; ) {
     let kind = kind_of(sum);
     if (kind == LISTED) {
-      write_listed(4u * row, sum, thread);
-      row += 5u + (origins[sum].w + 3u) / 4u;
+      write_listed(row, sum);
+      row += 5u + (entries[5u * sum].z + 3u) / 4u;
       sum++;
       continue;
     }
     sum = run_end(sum, sums);
-    if (thread == 0u) {
-      lists[4u * row] = kind;
-      lists[4u * row + 1u] = sum;
-    }
-    row += 1u;
+    lists[row] = vec4u(kind, sum, 0u, 0u);
+    row++;
   }
 }
 
 // the numbers of the terms ascend as those of the list around do
-fn write_listed(at: u32, sum: u32, thread: u32) {
-  if (thread < 20u) {
-    lists[at + thread] = entries[5u * sum + thread / 4u][thread & 3u];
+fn write_listed(first: u32, sum: u32) {
+  for (var i = 0u; i < 5u; i++) {
+    lists[first + i] = entries[5u * sum + i];
   }
   let origin = origins[sum];
-  var before = 0u;
-  for (var first = 0u; first < origin.y; first += WIDTH) {
-    let mask = atomicLoad(&masks[origin.z + first / WIDTH]);
-    if (((mask >> thread) & 1u) == 1u) {
-      let place = before + countOneBits(mask & ((1u << thread) - 1u));
-      lists[at + 20u + place] = outer_term(origin.x, first + thread);
+  var row = first + 5u;
+  var four = vec4u(0u);
+  var count = 0u;
+  for (var i = 0u; i < origin.y; i++) {
+    if (choice_at(origin.z + i) % 64u < origin.w) {
+      continue;
     }
-    before += countOneBits(mask);
+    four[count & 3u] = outer_term(origin.x, i);
+    count++;
+    if ((count & 3u) == 0u) {
+      lists[row] = four;
+      row++;
+    }
+  }
+  if ((count & 3u) != 0u) {
+    lists[row] = four;
   }
 }

@@ -1,16 +1,19 @@
-#import kernel/inversePower
+#import table/change
 
 // By how much a kernel's field changes within a ball, kernel units. Twin of src/kernel/change.ts, with series in place of differences
 // that float32 has no digits for; the margins that rounding takes are put on by who asks (skeleton/spread.wgsl).
 
 const MANY = 1e20;
 
-// q^(−n/2) for any q above 0
+// q^(−n/2) for any q above 0; without branches where n is whole and at most 7
 fn half_power(q: f32, n: f32) -> f32 {
-  if (n == round(n) && n >= 1.0 && n <= 6.0) {
-    return inverse_power(q, n);
+  if (HAS_ANY_POWER) {
+    return exp(-0.5 * n * log(q));
   }
-  return exp(-0.5 * n * log(q));
+  let i = 1.0 / q;
+  let whole = u32(n);
+  let root = select(1.0, sqrt(i), (whole & 1u) == 1u);
+  return root * select(1.0, i, (whole & 2u) != 0u) * select(1.0, i * i, (whole & 4u) != 0u);
 }
 
 // The least and the most by which the field of points at r or farther is multiplied when the place moves by `by`.
@@ -35,14 +38,17 @@ fn power_rest(theta: f32, n: f32, first: u32) -> f32 {
     let square = select(0.0, 0.5 * n * (n + 1.0) * theta * theta, first == 3u);
     return grown - 1.0 - n * theta - square;
   }
-  var term = 0.5 * n * (n + 1.0) * theta * theta;
-  var sum = select(0.0, term, first == 2u);
-  for (var m = 3.0; m < 9.0; m += 1.0) {
-    term *= theta * (n + m - 1.0) / m;
-    sum += term;
-  }
-  let ratio = theta * (n + 8.0) / 9.0;
-  return sum + term * ratio / (1.0 - ratio);
+  // from the last of eight on
+  let x = vec2f(theta, n * theta);
+  let ratio = (x.y + 8.0 * x.x) / 9.0;
+  var tail = 1.0 + ratio / (1.0 - ratio);
+  tail = 1.0 + (x.y + 7.0 * x.x) / 8.0 * tail;
+  tail = 1.0 + (x.y + 6.0 * x.x) / 7.0 * tail;
+  tail = 1.0 + (x.y + 5.0 * x.x) / 6.0 * tail;
+  tail = 1.0 + (x.y + 4.0 * x.x) / 5.0 * tail;
+  tail = 1.0 + (x.y + 3.0 * x.x) / 4.0 * tail;
+  let cube = (x.y + 2.0 * x.x) / 3.0 * tail;
+  return 0.5 * (x.y + x.x) * x.y * (cube + select(0.0, 1.0, first == 2u));
 }
 
 // The most that first and second derivatives of the Gaussian come to over what is farther than `near`: of a point, a line, a plane.

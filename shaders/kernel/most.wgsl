@@ -9,10 +9,10 @@
 const HUGE = 1e30;
 
 fn kernel_at(bound: Bound, r2: f32) -> f32 {
-  if (bound.change == CHANGE_GAUSSIAN) {
+  if (HAS_GAUSSIAN && bound.change == CHANGE_GAUSSIAN) {
     return exp(-r2);
   }
-  if (bound.change == CHANGE_QUARTIC) {
+  if (HAS_QUARTIC && bound.change == CHANGE_QUARTIC) {
     let g2 = max(1.0 - r2, 0.0);
     return g2 * g2;
   }
@@ -21,14 +21,14 @@ fn kernel_at(bound: Bound, r2: f32) -> f32 {
 
 // of a line without ends
 fn whole_line(bound: Bound, r2: f32) -> f32 {
-  if (bound.change == CHANGE_GAUSSIAN) {
+  if (HAS_GAUSSIAN && bound.change == CHANGE_GAUSSIAN) {
     return 1.77245386 * exp(-r2);
   }
-  if (bound.change == CHANGE_QUARTIC) {
+  if (HAS_QUARTIC && bound.change == CHANGE_QUARTIC) {
     let g2 = max(1.0 - r2, 0.0);
     return 1.06666667 * g2 * g2 * sqrt(g2);
   }
-  if (bound.power == 1.0) {
+  if (HAS_INVERSE && bound.power == 1.0) {
     // of 1/r that has no limit: 2 asinh(l/2r)
     return 2.0 * arsinh(0.5 * bound.size * inverseSqrt(r2));
   }
@@ -37,10 +37,10 @@ fn whole_line(bound: Bound, r2: f32) -> f32 {
 
 // of a plane without ends
 fn whole_plane(bound: Bound, r2: f32) -> f32 {
-  if (bound.change == CHANGE_GAUSSIAN) {
+  if (HAS_GAUSSIAN && bound.change == CHANGE_GAUSSIAN) {
     return 3.14159265 * exp(-r2);
   }
-  if (bound.change == CHANGE_QUARTIC) {
+  if (HAS_QUARTIC && bound.change == CHANGE_QUARTIC) {
     let g2 = max(1.0 - r2, 0.0);
     return 1.04719755 * g2 * g2 * g2;
   }
@@ -65,9 +65,9 @@ fn most_at(bound: Bound, distance: f32) -> f32 {
   }
   let r2 = distance * distance;
   var most = bound.size * kernel_at(bound, r2);
-  if (bound.dimension == 1u) {
+  if (HAS_LINES && bound.dimension == 1u) {
     most = min(most, whole_line(bound, r2));
-  } else if (bound.dimension == 2u) {
+  } else if (HAS_PLATES && bound.dimension == 2u) {
     most = min(most, bound.turns * whole_plane(bound, r2));
   }
   return min(bound.most * most, HUGE);

@@ -41,7 +41,7 @@ struct Look {
 fn look_at(bound: Bound, term: Term, p: vec3f, radius: f32) -> Look {
   var distance: f32;
   var axis = 0.0;
-  if (bound.dimension == 0u) {
+  if (!HAS_LINES || bound.dimension == 0u) {
     let skel = load_point(term.skel);
     distance = length((p - skel.at) * skel.scale);
     axis = distance;
@@ -78,7 +78,7 @@ fn stand_in(bound: Bound, look: Look, most: f32) -> StandIn {
   if (look.is_nothing) {
     return StandIn(0.0, 0u);
   }
-  if (bound.change != CHANGE_POWER) {
+  if (HAS_SLOPES && bound.change != CHANGE_POWER) {
     return StandIn(SAFE * most_at(bound, look.near), 0u);
   }
   let theta = look_theta(bound, look);
@@ -92,7 +92,7 @@ fn stand_in(bound: Bound, look: Look, most: f32) -> StandIn {
   }
   var off = 0.0;
   var count = 1u;
-  if (bound.dimension == 1u) {
+  if (HAS_LINES && bound.dimension == 1u) {
     let field = bound.most * bound.size * kernel_at(bound, look.near * look.near);
     let sources = sources_for(bound, look.near, SOURCE_PART * bend * whole / field);
     off = field * sources.off;
@@ -101,12 +101,12 @@ fn stand_in(bound: Bound, look: Look, most: f32) -> StandIn {
   return StandIn(SAFE * ((whole + off) * bend + off) + ROUNDING * whole, count);
 }
 
-// Its polynomial about p, mm; nothing for kernels that are no powers.
+// Its polynomial about p, mm; nothing of kernels that are no powers.
 fn stand_in_taylor(bound: Bound, term: Term, count: u32, p: vec3f) -> Taylor {
-  if (bound.change != CHANGE_POWER || count == 0u) {
+  if (count == 0u) {
     return Taylor(0.0, vec3f(0.0), vec3f(0.0), vec3f(0.0));
   }
-  if (bound.dimension == 1u) {
+  if (HAS_LINES && bound.dimension == 1u) {
     return sources_taylor(bound, load_segment(term.skel), count, p, term.factor);
   }
   let skel = load_point(term.skel);
@@ -136,7 +136,7 @@ fn term_spread(bound: Bound, term: Term, look: Look, p: vec3f) -> Spread {
   let centre = clamp(term.factor * term_field(term, p), vec4f(-HUGE), vec4f(HUGE));
   var spread: Spread;
   let cap = most_at(bound, look.near);
-  if (bound.change == CHANGE_POWER) {
+  if (!HAS_SLOPES || bound.change == CHANGE_POWER) {
     spread = power_spread(bound, look, centre, cap);
   } else {
     spread = slope_spread(bound, look, centre);
@@ -196,7 +196,7 @@ fn slope_spread(bound: Bound, look: Look, centre: vec4f) -> Spread {
 }
 
 fn slopes_of(bound: Bound, near: f32, dimension: u32) -> vec2f {
-  if (bound.change == CHANGE_GAUSSIAN) {
+  if (HAS_GAUSSIAN && bound.change == CHANGE_GAUSSIAN) {
     return gaussian_slopes(near, dimension);
   }
   return quartic_slopes(near, dimension);

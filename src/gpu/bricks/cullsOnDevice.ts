@@ -3,10 +3,10 @@ import type { FieldNode } from '../../field/node.ts';
 import { type Program, programOf, TAKE } from '../program.ts';
 import { SUM, TERM } from '../structs.ts';
 
-/** as in shaders/bricks/sumRange.wgsl: sums of a tree, and terms of all of them by groups of so many */
+/** as in shaders/bricks/sumRange.wgsl: sums of a tree, of which a bit each tells whether it counts */
 const MOST_SUMS = 32;
-const MOST_MASKS = 1024;
-const WIDTH = 32;
+/** of all of them: threads keep half a word of each */
+export const MOST_TERMS = 2048;
 
 /** shapes whose values say nothing of how far the surface is */
 const NO_DISTANCES = ['ellipsoid', 'quadric'] as const;
@@ -28,12 +28,11 @@ export const rowsOf = (program: Program): number =>
 export function isCulledOnDevice(program: Program): boolean {
   const { ingredients } = program;
   const sums = termsOf(program);
-  const masks = sums.reduce((sum, terms) => sum + Math.ceil(terms / WIDTH), 0);
   return (
     ingredients.sections.size === 0 &&
     !ingredients.primitives.has('polygon') &&
     !NO_DISTANCES.some((name) => ingredients.shapes.has(name)) &&
     sums.length <= MOST_SUMS &&
-    masks <= MOST_MASKS
+    sums.reduce((sum, terms) => sum + terms, 0) <= MOST_TERMS
   );
 }

@@ -15,6 +15,8 @@ import { BRICK_STAGES, type BrickStage, type BrickStages } from './stages.ts';
 
 /** bricks that one thread puts into order */
 const RUN = 16;
+/** cubes of a group, a thread each */
+const GROUP = 32;
 const LAST = SIZES.length - 1;
 
 /** What of a tree is culled where. */
@@ -64,7 +66,7 @@ export function encodeCulling(
   for (let depth = 0; depth <= LAST; depth++) {
     start('cull', depth);
     const [cx, cy, cz] = alongOf(lattice, SIZES[depth]!);
-    if (depth === 0) pass.dispatchWorkgroups(...groupsOf(cx * cy * cz));
+    if (depth === 0) pass.dispatchWorkgroups(...groupsOf(Math.ceil((cx * cy * cz) / GROUP)));
     else pass.dispatchWorkgroupsIndirect(shared.dispatches.buffer, ROW * depth);
     start('next', depth);
     pass.dispatchWorkgroups(1);

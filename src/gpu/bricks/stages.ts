@@ -7,11 +7,12 @@ import { compile, link, type Modules } from '../link.ts';
 import { constants } from '../modules.ts';
 import { modulesOf } from '../polygonize/stages.ts';
 import { CHANGE } from './bounds.ts';
+import { MOST_TERMS } from './cullsOnDevice.ts';
 import { LEVEL } from './levels.ts';
 
 /** Buffers of group 0 by their binding; `cull` has the records in group 1. */
 export const BRICK_STAGES = {
-  begin: { grid: 3 },
+  begin: { grid: 3, dispatches: 4, lattice: 8, level: 9 },
   cull: { outer: 0, lists: 1, counters: 2, grid: 3, dispatches: 4, lattice: 8, level: 9 },
   next: { counters: 2, dispatches: 4, lattice: 5, level: 9 },
   count: { grid: 3, runs: 6 },
@@ -60,11 +61,26 @@ export function brickModules(ingredients: Ingredients): Modules {
   return {
     ...modulesOf(ingredients),
     'record/level': LEVEL.wgsl,
-    'table/change': constants('CHANGE_', CHANGE).join(''),
+    'table/choices': `const MOST_CHOICES = ${MOST_TERMS / 2}u;\n`,
+    'table/change': [...constants('CHANGE_', CHANGE), ...whatThereIs(ingredients)].join(''),
     'table/operations': operationNumbers(),
     'table/shapes': convexShapes(ingredients),
     'table/sources': sourceTables(),
   };
+}
+
+/** Software adapters walk through every branch, so that those that are not taken are not there. */
+function whatThereIs({ kernels: used, primitives }: Ingredients): readonly string[] {
+  const has = {
+    GAUSSIAN: used.has('gaussian'),
+    QUARTIC: used.has('quartic'),
+    SLOPES: used.has('gaussian') || used.has('quartic'),
+    INVERSE: used.has('inverse'),
+    ANY_POWER: used.has('power'),
+    LINES: primitives.has('segment'),
+    PLATES: primitives.has('polygon'),
+  };
+  return Object.entries(has).map(([name, is]) => `const HAS_${name} = ${is};\n`);
 }
 
 const operationNumbers = (): string =>

@@ -1,43 +1,50 @@
-import { afterAll, expect, it } from 'vitest';
-import { bindField } from '../../../src/field/bind.ts';
-import { gpuPolygonizer } from '../../../src/gpu/polygonize/polygonizer.ts';
-import { topology } from '../../../src/mesh/check.ts';
+import { afterAll, it } from 'vitest';
 import { sceneNode } from '../../bench/scenes/index.ts';
 import { bricksOf } from '../../fixtures/bricks.ts';
 import { withDevice } from '../compute.ts';
 import { closeDawn, describeGpu } from '../dawn.ts';
-import { EVERYTHING } from '../everything.ts';
-import { compile, link } from '../../../src/gpu/link.ts';
-import { brickModules } from '../../../src/gpu/bricks/stages.ts';
+import { boundedProgram } from '../../../src/gpu/bricks/bounds.ts';
+import { encodeCulling } from '../../../src/gpu/bricks/encode.ts';
+import { firstRooms, neededRooms, COUNTERS } from '../../../src/gpu/bricks/levels.ts';
+import { rowsOf } from '../../../src/gpu/bricks/cullsOnDevice.ts';
+import { brickStagesOn } from '../../../src/gpu/bricks/stages.ts';
+import { loadScan } from '../../../src/gpu/scan.ts';
+import { Buffers, readBack, USAGE } from '../../../src/gpu/polygonize/buffers.ts';
+import { programOf } from '../../../src/gpu/program.ts';
 afterAll(closeDawn);
 describeGpu('x', () => {
-  it('compiles', async () => {
-    await withDevice(async (device) => {
-      for (const name of ['begin','cull','next','count','number'])
-      await compile(device, name, link(brickModules(EVERYTHING), `bricks/${name}`));
-    });
-  });
   it('runs', async () => {
-    const node = sceneNode('tree16');
-    const n = 64;
-    const lattice = { origin: [-1, -1, -1], step: 2 / n, counts: [n+1, n+1, n+1] } as const;
+    for (const [name, n] of (process.env.SC ?? 'tree16 64').split(',').map((x) => x.split(' ') as [string, string]))  {
+    const node = sceneNode(name as 'tree16');
+    const N = Number(n);
+    const lattice = { origin: [-1, -1, -1], step: 2 / N, counts: [N+1, N+1, N+1] } as const;
+    const t0 = performance.now();
     const bricks = bricksOf(node, lattice);
+    console.log(name, N, 'cpu', performance.now() - t0, bricks.active.length);
     await withDevice(async (device) => {
-      const p = gpuPolygonizer(device);
-      const a = await p.whole(node, bricks);
-      const m = await a.read();
-      for (let i = 0; i < 3; i++) {
+      const program = programOf(node);
+      const t1 = performance.now();
+      const stages = await brickStagesOn(device)(program.ingredients);
+      console.log('pipeline', performance.now() - t1);
+      const scan = await loadScan(device);
+      const work = new Buffers(device);
+      const bounded = boundedProgram(node, program);
+      let rooms = firstRooms(lattice, rowsOf(program));
+      for (let i = 0; i < 4; i++) {
       const t = performance.now();
-      const b = await p.whole(node, lattice);
+      const counters = work.put('counters', new Uint32Array(COUNTERS), USAGE.storage | USAGE.copySource);
+      const encoder = device.createCommandEncoder();
+      const pass = encoder.beginComputePass();
+      encodeCulling(device, pass, scan, work, { lattice, stages, bounded, rooms }, { vertices: 1, triangles: 1 }, counters);
+      pass.end();
+      device.queue.submit([encoder.finish()]);
       await device.queue.onSubmittedWorkDone();
-      console.log('ms', performance.now() - t);
-      const needed = await b.needed();
-      console.log(JSON.stringify(needed), bricks.active.length);
-      const mb = await b.read();
-      console.log(topology(m), topology(mb));
-      b.destroy();
+      const ms = performance.now() - t;
+      const [b] = await readBack(device, [counters]);
+      console.log('ms', ms, JSON.stringify(neededRooms(new Uint32Array(b!))));
       }
-      p.destroy();
+      work.destroy();
     });
+    }
   });
 });
