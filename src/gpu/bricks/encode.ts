@@ -58,7 +58,11 @@ export function encodeCulling(
   const uniform = levels.map(({ bytes }, depth) => buffers.put(`level ${depth}`, bytes, USAGE.uniform));
   const start = (name: BrickStage, depth: number) => {
     // the first level looks at nothing above
-    const around = { outer: lists[depth - 1] ?? shared.records, lists: lists[depth]!, level: uniform[depth]! };
+    const around = {
+      outer: lists[depth - 1] ?? shared.records,
+      lists: lists[depth]!,
+      level: uniform[depth]!,
+    };
     bind(device, pass, stages, name, { ...shared, ...around });
   };
   start('begin', 0);

@@ -1,6 +1,7 @@
 /** The pipelines that cull bricks, one a file of shaders/bricks; only `cull` is made for the ingredients of a field. */
-import { shapes } from '../../shape/index.ts';
+
 import { GAUSS, type GaussPoints } from '../../math/gaussLegendre.ts';
+import { shapes } from '../../shape/index.ts';
 import { MOST_SOURCES, SHARES } from '../../skeleton/gaussSources.ts';
 import { type Ingredients, KINDS, namesOf, numberOf } from '../ingredients.ts';
 import { compile, link, type Modules } from '../link.ts';

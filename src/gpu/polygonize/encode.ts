@@ -14,7 +14,9 @@ import { loopTable } from './loopTable.ts';
 import { LATTICE, STAGES, type StageName, type Stages } from './stages.ts';
 
 /** By the names that STAGES binds. */
-export type Bound = Readonly<Record<string, Slice>> & { readonly brickGroups?: Slice & { readonly offset: number } };
+export type Bound = Readonly<Record<string, Slice>> & {
+  readonly brickGroups?: Slice & { readonly offset: number };
+};
 
 /** Per brick: 128 places for nodes, 64 cells. */
 const NODES = 128;

@@ -2,8 +2,9 @@
  * Bricks of a field tree as a mesh, all of it on the GPU and nothing read back. Twin of field/brickMesh.ts, creases
  * excepted: the same loops around the same cells. Where a mesh does not fit it stays empty and says so; what it needs is known then, and the next has it.
  */
-import type { FieldNode } from '../../field/node.ts';
+
 import type { Lattice } from '../../field/lattice.ts';
+import type { FieldNode } from '../../field/node.ts';
 import type { PackedBricks } from '../../field/packedBricks.ts';
 import { boundedProgram } from '../bricks/bounds.ts';
 import { isCulledOnDevice, rowsOf } from '../bricks/cullsOnDevice.ts';
