@@ -19,8 +19,15 @@
 
 // half a last digit of coordinates and what is added to them
 const EPSILON = 4e-7;
+// of the counters: the work of culling in twentieths of a value (src/skeleton/work.ts), and what a value asks in all bricks together
+const WORK = 8u;
+const ASKED = 9u;
 // √3
 const AROUND = 1.7320509;
+
+// in twentieths of a value
+var<private> work: u32;
+var<private> shapes: u32;
 
 // the entry that comes next in the list of the cube around, and sums and their terms there so far
 struct Cursor {
@@ -53,6 +60,7 @@ fn cull(
     return;
   }
   let range = tree_range(place, &cursor);
+  atomicAdd(&counters[WORK], work);
   // nothing is known beyond the border: what is inside there is cut off
   let is_at_border = any(place == vec3u(0u)) || any(place + level.size >= lattice.bricks.xyz);
   // what is no number stays
@@ -121,6 +129,8 @@ fn leaf_range(
     scale = moving.scale;
   }
   if (step.take == TAKE_SHAPE) {
+    work += 32u;
+    shapes++;
     let range = scale * shape_range(load_shape(step.at), ball, scale);
     return Range(range.x, range.y, 0.0, (*cursor).met, true);
   }
@@ -142,6 +152,9 @@ fn leaf_range(
   }
   let range = sum_range(sum, leaf, list, ball, level.allowed, first, (*cursor).choices);
   (*cursor).choices += list.count;
+  let stay = entries[5u * first].z;
+  // a bound without an evaluation; value and gradient, and once more a bound; for the others about two sources
+  work += 5u * list.count + 37u * stay + 18u * (list.count - stay);
   return Range(range.low, range.high, range.error, first, true);
 }
 
@@ -155,6 +168,10 @@ fn shape_range(shape: Shape, ball: Ball, scale: f32) -> vec2f {
 // What there is no room for only counts.
 fn keep(place: vec3u, range: Range, sums: u32) {
   let rows = rows_needed(sums);
+  var asked = shapes;
+  for (var sum = 0u; sum < sums; sum++) {
+    asked += select(0u, entries[5u * sum].z, kind_of(sum) == LISTED);
+  }
   let slot = atomicAdd(&counters[cubes_of(level.number)], 1u);
   let row = level.entries + atomicAdd(&counters[rows_of(level.number)], rows);
   if (slot >= level.room || row + rows > level.end) {
@@ -163,6 +180,7 @@ fn keep(place: vec3u, range: Range, sums: u32) {
   let packed = place.x | (place.y << 10u) | (place.z << 20u);
   lists[level.slots + slot] = vec4u(packed, row, bitcast<u32>(range.error), 0u);
   if (level.size == 1u) {
+    atomicAdd(&counters[ASKED], asked);
     grid[place.x + lattice.bricks.x * (place.y + lattice.bricks.y * place.z)] = i32(slot);
   }
   write_entries(row, sums);

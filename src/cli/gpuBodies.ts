@@ -1,11 +1,12 @@
-/** `rotund mesh --backend gpu`: bricks by the CPU, meshes of them in WGSL, on whatever adapter there is, read back. */
+/** `rotund mesh --backend gpu`: bricks by the device or the CPU, meshes of them in WGSL, on whatever adapter there is, read back. */
 import { type Body, bodyMade, keepBody, makeBody } from '../document/bodies.ts';
 import { bindField } from '../field/bind.ts';
-import { hasCreases } from '../field/bricks.ts';
+import { hasCreases, isSmooth } from '../field/bricks.ts';
 import type { FieldNode } from '../field/node.ts';
-import { type Located, locating } from '../field/polygonize.ts';
+import { type Located, latticed, locating } from '../field/polygonize.ts';
+import { cullsOnDevice } from '../gpu/bricks/cullsOnDevice.ts';
 import { openDevice } from '../gpu/device.ts';
-import { type GpuPolygonizer, gpuPolygonizer } from '../gpu/polygonize/polygonizer.ts';
+import { type GpuPolygonizer, gpuPolygonizer, type Where } from '../gpu/polygonize/polygonizer.ts';
 import { gpuWork } from '../gpu/polygonize/work.ts';
 import type { BodyMaker } from './bodyMaker.ts';
 import type { OpenGpu } from './gpuEvaluator.ts';
@@ -28,22 +29,30 @@ export async function withGpuBodies<T>(open: OpenGpu, use: (make: BodyMaker) => 
   });
 }
 
-/** The GPU cuts sharp edges off, so that bodies that have some are the CPU's. */
+/** The GPU cuts sharp edges off, so that bodies that have some are the CPU's; smooth ones it finds the bricks of where it can. */
 async function made(polygonizer: GpuPolygonizer, node: FieldNode, cells: number): Promise<Body> {
   const known = bodyMade(node);
   if (known?.cells === cells) return known;
-  const located = locatedAt(node, cells);
+  const field = bindField(node);
+  if (isSmooth(field) && cullsOnDevice(node)) {
+    const { lattice, tally } = finished(latticed(field, cells));
+    const { mesh, work } = await read(polygonizer, node, lattice);
+    return kept(node, { mesh, evaluations: tally.work + work, cells });
+  }
+  const located = finished(locating(field, cells));
   if (hasCreases(located.bricks)) {
     say('a body with sharp edges is made by the cpu');
     return makeBody(node, cells);
   }
-  const body = { ...(await onGpu(polygonizer, node, located)), cells };
+  return kept(node, { ...(await onGpu(polygonizer, node, located)), cells });
+}
+
+function kept(node: FieldNode, body: Body): Body {
   keepBody(node, body);
   return body;
 }
 
-function locatedAt(node: FieldNode, cells: number): Located {
-  const steps = locating(bindField(node), cells);
+function finished<T>(steps: Generator<number, T>): T {
   for (;;) {
     const { done, value } = steps.next();
     if (done) return value;
@@ -56,11 +65,18 @@ async function onGpu(
   { bricks, tally }: Located,
 ): Promise<Omit<Body, 'cells'>> {
   const { nodes, aVertex } = gpuWork(bricks);
-  const onDevice = await polygonizer.whole(node, bricks).catch((error: unknown) => {
+  const { mesh } = await read(polygonizer, node, bricks);
+  const vertices = mesh.positions.length / 3;
+  return { mesh, evaluations: tally.work + nodes + aVertex * vertices };
+}
+
+/** The mesh, and what the device says that it took to find its bricks. */
+async function read(polygonizer: GpuPolygonizer, node: FieldNode, where: Where) {
+  const onDevice = await polygonizer.whole(node, where).catch((error: unknown) => {
     throw new Problem(`--backend gpu: ${error instanceof Error ? error.message : String(error)}`, 1);
   });
   const mesh = await onDevice.read();
+  const { work } = await onDevice.needed();
   onDevice.destroy();
-  const vertices = mesh.positions.length / 3;
-  return { mesh, evaluations: tally.work + nodes + aVertex * vertices };
+  return { mesh, work };
 }

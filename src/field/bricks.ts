@@ -8,7 +8,8 @@
  */
 import type { Vec3 } from '../math/vec.ts';
 import { BRICK, type Lattice } from './lattice.ts';
-import type { Near } from './near.ts';
+import { type Near, Tally } from './near.ts';
+import type { TreeField } from './treeField.ts';
 
 /** in the grid of bricks: proven to have one sign everywhere */
 export const OUTSIDE = -1;
@@ -78,6 +79,9 @@ export function* culling(whole: Near, lattice: Lattice): Generator<number, Brick
 /** Whether smooth fields meet in it, in edges. */
 export const hasCreases = ({ active }: Pick<Bricks, 'active'>): boolean =>
   active.some(({ near }) => near.branches > 1);
+
+/** Whether smooth fields never meet in it, wherever it is. */
+export const isSmooth = (field: TreeField): boolean => field.near(new Tally()).branches === 1;
 
 type At = Pick<Brick, 'i' | 'j' | 'k'>;
 

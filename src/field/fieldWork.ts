@@ -13,7 +13,7 @@ export interface Make {
   readonly node: FieldNode;
   /** cells along the longest side */
   readonly resolution: number;
-  /** who makes the mesh: the worker, or the page on its graphics device, which gets bricks for it */
+  /** who makes the mesh: the worker, or the page on its graphics device, which gets bricks for it or finds them */
   readonly mesh: 'worker' | 'page';
   /** Of the body before what stays may be kept, on its lattice: quicker, but not to the bit what is made anew, as files have to be. */
   readonly isEdited: boolean;
@@ -44,14 +44,15 @@ interface Step {
   readonly milliseconds: number;
 }
 
-/** The page is to make the mesh of these. */
+/** The page is to make the mesh of these bricks, or to have its device find them where there are none. */
 export interface Located extends Step {
   readonly type: 'bricks';
   readonly node: FieldNode;
-  readonly bricks: PackedBricks;
+  readonly lattice: Lattice;
+  readonly bricks: PackedBricks | null;
   /** around all that is inside, mm */
   readonly box: Box;
-  /** what each vertex adds to the work */
+  /** what each vertex adds to the work; what the device finds it counts itself */
   readonly workAVertex: number;
 }
 

@@ -5,11 +5,19 @@
  * coarsest is finished as long as anything is wanted, so that a slider that is being dragged is followed.
  */
 import { bindField } from '../field/bind.ts';
-import { hasCreases } from '../field/bricks.ts';
+import { hasCreases, isSmooth } from '../field/bricks.ts';
 import type { FromWorker, Made, Make, ToWorker } from '../field/fieldWork.ts';
 import { LiveMesh } from '../field/liveMesh.ts';
-import { type Located, locating, type Polygonized, polygonizing } from '../field/polygonize.ts';
+import {
+  type Fitted,
+  type Located,
+  latticed,
+  locating,
+  type Polygonized,
+  polygonizing,
+} from '../field/polygonize.ts';
 import type { TreeField } from '../field/treeField.ts';
+import { cullsOnDevice } from '../gpu/bricks/cullsOnDevice.ts';
 import { packBricks } from '../gpu/polygonize/lists.ts';
 import { gpuWork } from '../gpu/polygonize/work.ts';
 
@@ -75,16 +83,21 @@ async function make(job: Make): Promise<void> {
   }
 }
 
-/** A mesh; or, where the page makes it and it has no creases, which graphics devices would cut off, the bricks of it. */
+/**
+ * A mesh; or, where the page makes it and it has no creases, which graphics devices would cut off, the bricks of it, or the lattice alone
+ * where devices find the bricks.
+ */
 function* stepping(
   { mesh, node, isEdited }: Make,
   field: TreeField,
   cells: number,
   isDraft: boolean,
-): Generator<number, Meshed | Located> {
+): Generator<number, Meshed | Located | Fitted> {
   if (mesh === 'worker') {
     return yield* isDraft || !isEdited ? polygonizing(field, cells) : liveOf(cells).making(node);
   }
+  // what may have creases is known by its bricks alone
+  if (isSmooth(field) && cullsOnDevice(node)) return yield* latticed(field, cells);
   const located = yield* locating(field, cells);
   return hasCreases(located.bricks) ? yield* polygonizing(field, cells, field.box, located) : located;
 }
@@ -131,10 +144,15 @@ function handed({ mesh, bricks, evaluations }: Meshed, rest: Rest): Handed {
   return [{ type: 'made', mesh, ...facts, ...rest() }, arrays];
 }
 
-function handedBricks({ bricks, box, tally }: Located, { node }: Make, rest: Rest): Handed {
-  const packed = packBricks(node, bricks);
-  const { nodes, aVertex } = gpuWork(bricks);
-  const facts = { box, evaluations: tally.work + nodes, workAVertex: aVertex };
+function handedBricks(found: Located | Fitted, { node }: Make, rest: Rest): Handed {
+  const { box, tally } = found;
+  if ('lattice' in found) {
+    const facts = { box, lattice: found.lattice, evaluations: tally.work, workAVertex: 0 };
+    return [{ type: 'bricks', node, bricks: null, ...facts, ...rest() }, []];
+  }
+  const packed = packBricks(node, found.bricks);
+  const { nodes, aVertex } = gpuWork(found.bricks);
+  const facts = { box, lattice: packed.lattice, evaluations: tally.work + nodes, workAVertex: aVertex };
   return [
     { type: 'bricks', node, bricks: packed, ...facts, ...rest() },
     [packed.grid.buffer, packed.lists.buffer],

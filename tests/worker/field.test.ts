@@ -23,8 +23,7 @@ const wish = (id: number, more: Partial<Make> = {}) =>
 const of = (id: number) => heard.filter((message) => message.id === id);
 /** about a body, of whole bricks: there is one of air around it, and a node more than cells */
 const cellsOf = (step: Made | Located) => {
-  const { counts } = step.type === 'made' ? step.lattice : step.bricks.lattice;
-  return Math.max(...counts) - 5;
+  return Math.max(...step.lattice.counts) - 5;
 };
 const made = (id: number) =>
   vi.waitFor(() => {
@@ -129,22 +128,44 @@ describe('the worker', () => {
     await made(7);
   });
 
-  test('hands bricks to a page that makes the mesh, coarse ones first, each with its box', async () => {
-    wish(8, { mesh: 'page', resolution: 104 });
+  /** The device leaves cross sections to the worker's culling. */
+  const round: FieldNode = {
+    ...body([
+      {
+        skel: { type: 'point', at: [0, 0, 0], radius: 10 },
+        warp: {
+          section: { type: 'superQuadric', exponent: 3 },
+          scale: [1, 1],
+          up: [0, 1, 0],
+          along: [0, 0, 1],
+        },
+      },
+    ]),
+    params: { s: 0.08 },
+  };
+
+  test.each([
+    ['bricks', round],
+    ['the lattice, where devices find the bricks,', sphere],
+  ])('hands %s to a page that makes the mesh, coarse ones first, each with its box', async (_, tree) => {
+    const id = tree === sphere ? 9 : 8;
+    wish(id, { mesh: 'page', resolution: 104, node: tree });
     const all = await vi.waitFor(() => {
-      const found = of(8).filter((message) => message.type === 'bricks');
+      const found = of(id).filter((message) => message.type === 'bricks');
       expect(found.at(-1)).toMatchObject({ draft: false });
       return found;
     }, 15_000);
-    expect(of(8).some(({ type }) => type === 'made')).toBe(false);
+    expect(of(id).some(({ type }) => type === 'made')).toBe(false);
     expect(all.map(cellsOf)).toEqual([28, 52, 104]);
     for (const { bricks, box, node } of all) {
-      expect(node).toEqual(sphere);
+      expect(node).toEqual(tree);
       for (const axis of [0, 1, 2] as const) {
         expect(box.min[axis]).toBeLessThanOrEqual(-10);
         expect(box.max[axis]).toBeGreaterThanOrEqual(10);
         expect(box.max[axis] - box.min[axis]).toBeLessThan(1.1 * 20);
       }
+      expect(bricks === null).toBe(tree === sphere);
+      if (!bricks) continue;
       // the surface is in none of the others
       expect([...bricks.grid].filter((place) => place >= 0).length).toBe(bricks.count);
       expect(bricks.count).toBeGreaterThan(0);
@@ -153,8 +174,8 @@ describe('the worker', () => {
 
   test('makes what has sharp edges itself, whoever was to', async () => {
     const box: FieldNode = { type: 'shape', shape: { type: 'box', half: [10, 8, 6] } };
-    wish(9, { node: box });
-    const own = await made(9);
+    wish(12, { node: box });
+    const own = await made(12);
     wish(10, { node: box, mesh: 'page' });
     const sharp = await made(10);
     expect(sharp).toMatchObject({ hasCreases: true, evaluations: own.evaluations });

@@ -143,14 +143,14 @@ export class FieldBody {
     };
   }
 
-  #hearDevice({ of, mesh, vertices, triangles, milliseconds, release }: MadeOnGpu): void {
+  #hearDevice({ of, mesh, vertices, triangles, work, milliseconds, release }: MadeOnGpu): void {
     if (!this.#isWelcome(of)) {
       release();
       return;
     }
-    const { id, draft, bricks, workAVertex } = of;
-    const evaluations = of.evaluations + workAVertex * vertices;
-    const facts = { lattice: bricks.lattice, evaluations, milliseconds: of.milliseconds + milliseconds };
+    const { id, draft, lattice, workAVertex } = of;
+    const evaluations = of.evaluations + work + workAVertex * vertices;
+    const facts = { lattice, evaluations, milliseconds: of.milliseconds + milliseconds };
     this.#show({ id, draft, mesh, vertices, triangles, ...facts, maker: FIELD_WORDS.device }, release);
   }
 

@@ -1,5 +1,5 @@
 /**
- * Meshes on the graphics device, from the bricks that a worker sends: one after the other, and of those that wait only the latest.
+ * Meshes on the graphics device, from the bricks or the lattice that a worker sends: one after the other, and of those that wait only the latest.
  * Meshes that are released give their buffers to those that come.
  */
 import type { Located } from '../../field/fieldWork.ts';
@@ -11,6 +11,8 @@ export interface MadeOnGpu {
   readonly mesh: DeviceMesh;
   readonly vertices: number;
   readonly triangles: number;
+  /** of the device, to find bricks */
+  readonly work: number;
   /** on the page */
   readonly milliseconds: number;
   /** Once, when nothing draws it any more. */
@@ -66,13 +68,15 @@ export class FieldOnGpu {
 
   async #made(of: Located): Promise<MadeOnGpu> {
     const start = performance.now();
-    const mesh = await this.#polygonizer.whole(of.node, of.bricks);
-    const size = await mesh.needed();
+    const mesh = await this.#polygonizer.whole(of.node, of.bricks ?? of.lattice);
+    const { vertices, triangles, work } = await mesh.needed();
     const { positions, normals, colours, indices, draw } = mesh;
     return {
       of,
       mesh: { positions, normals, colours, indices, draw, box: of.box },
-      ...size,
+      vertices,
+      triangles,
+      work,
       milliseconds: performance.now() - start,
       release: () => mesh.destroy(),
     };

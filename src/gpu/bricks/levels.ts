@@ -5,6 +5,7 @@
 import { MISSED } from '../../field/bricks.ts';
 import type { Lattice } from '../../field/lattice.ts';
 import { record } from '../../math/record.ts';
+import { ASKED_A_VERTEX } from '../polygonize/work.ts';
 
 export const LEVEL = record('Level', {
   number: 'u32',
@@ -31,9 +32,15 @@ export interface LevelRoom {
   readonly rows: number;
 }
 
-/** bytes of a row, of what the counters are */
+/** bytes */
 export const ROW = 16;
-export const COUNTERS = 2 * SIZES.length;
+
+/** Two a level, then the work of culling in parts of a value, and what a value asks in all active bricks together. */
+export const COUNTERS = 2 * SIZES.length + 2;
+/** parts of the work, as in shaders/bricks/cull.wgsl */
+const PARTS = 20;
+/** that a brick owns, of its 125: 70 to 79 in all scenes of the bench */
+const NODES = 75;
 
 export interface Level {
   readonly room: LevelRoom;
@@ -87,6 +94,13 @@ export function alongOf({ counts }: Lattice, size: number): readonly [number, nu
 /** Of the counters: what every level needed. */
 export const neededRooms = (counters: Uint32Array): readonly LevelRoom[] =>
   SIZES.map((_, depth) => ({ cubes: counters[2 * depth]!, rows: counters[2 * depth + 1]! }));
+
+/** Of culling, values and vertices: what the device asked of skels, in values of one skel at one point, nearly. */
+export function workOf(counters: Uint32Array, vertices: number): number {
+  const [bricks, , parts, asked] = counters.subarray(COUNTERS - 4);
+  const aVertex = (ASKED_A_VERTEX * asked!) / Math.max(1, bricks!);
+  return Math.round(parts! / PARTS + NODES * asked! + aVertex * vertices);
+}
 
 export const overflows = (rooms: readonly LevelRoom[], needed: readonly LevelRoom[]): boolean =>
   rooms.some(({ cubes, rows }, i) => needed[i]!.cubes > cubes || needed[i]!.rows > rows);

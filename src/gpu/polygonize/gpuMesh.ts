@@ -1,6 +1,6 @@
 /** A mesh that lives on the GPU: how large it is only the device knows until it is asked. */
 import type { FieldMesh } from '../../field/brickMesh.ts';
-import { COUNTERS, type LevelRoom, neededRooms, overflows } from '../bricks/levels.ts';
+import { COUNTERS, type LevelRoom, neededRooms, overflows, workOf } from '../bricks/levels.ts';
 import { type Buffers, type readBack, type Slice, USAGE } from './buffers.ts';
 
 /** How much there is room for. */
@@ -12,6 +12,8 @@ export interface Capacity {
 export interface Needed extends Capacity {
   /** cubes and entries of each level of bricks that the device culls, where it did */
   readonly bricks: readonly LevelRoom[];
+  /** what that took with all that came after, in values of one skel at one point, nearly; 0 for bricks that were given */
+  readonly work: number;
 }
 
 export interface GpuMesh {
@@ -66,7 +68,7 @@ export function outputs(buffers: Buffers, { vertices, triangles }: Capacity): Ou
 
 /** `read`: bytes of buffers, or why there are none. `rooms`: of the levels of bricks, where the device culls. */
 export function gpuMesh(
-  { positions, normals, colours, indices, draw, state, counters }: Outputs,
+  { positions, normals, colours, indices, draw, state, counters: counts }: Outputs,
   read: (slices: readonly Slice[]) => ReturnType<typeof readBack>,
   giveBack: () => void,
   rooms: readonly LevelRoom[] = [],
@@ -74,11 +76,13 @@ export function gpuMesh(
   let isGone = false;
   const found = async () => {
     if (isGone) throw new Error('the mesh was given back');
-    const [bytes, counted] = await read([state, counters]);
+    const [bytes, counted] = await read([state, counts]);
     const [edges, , triangles, middles, overflow] = new Uint32Array(bytes!);
-    const bricks = neededRooms(new Uint32Array(counted!));
+    const counters = new Uint32Array(counted!);
+    const bricks = neededRooms(counters);
     const overflowed = overflow !== 0 || overflows(rooms, bricks);
-    return { vertices: edges! + middles!, triangles: triangles!, bricks, overflowed };
+    const vertices = edges! + middles!;
+    return { vertices, triangles: triangles!, bricks, work: workOf(counters, vertices), overflowed };
   };
   return {
     positions: positions.buffer,

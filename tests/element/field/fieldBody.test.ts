@@ -53,6 +53,7 @@ const bricks = (id: number, draft = false): FromWorker => ({
   id,
   draft,
   node: tree(id),
+  lattice,
   bricks: { lattice, count: 1, grid: new Int32Array(1), lists: new Uint32Array(4) },
   box: { min: [-id, 0, 0], max: [id, 1, 1] },
   workAVertex: 10,
@@ -73,7 +74,7 @@ const destroyed = vi.fn();
 function polygonizer(): GpuPolygonizer {
   const whole = (node: FieldNode) =>
     new Promise<GpuMesh>((resolve, reject) => {
-      const needed = async () => ({ vertices: 30, triangles: 50 });
+      const needed = async () => ({ vertices: 30, triangles: 50, bricks: [], work: 20 });
       const mesh = { draw: {}, needed, destroy: vi.fn() } as unknown as Asked['mesh'];
       asked.push({ node, mesh, resolve: () => resolve(mesh), reject });
     });
@@ -116,7 +117,7 @@ describe('meshes on the device', () => {
     expect(body).toMatchObject({ made: null, progress: 0 });
     await answered(0);
     expect(body).toMatchObject({ made: { id: 1, vertices: 30, triangles: 50 }, progress: null });
-    expect(body.made).toMatchObject({ mesh: { box: { min: [-1, 0, 0] } }, evaluations: 100 + 10 * 30 });
+    expect(body.made).toMatchObject({ mesh: { box: { min: [-1, 0, 0] } }, evaluations: 100 + 20 + 10 * 30 });
     expect(body.made!.maker).toContain('GPU');
   });
 
