@@ -2,10 +2,13 @@
 import { afterAll, expect, it } from 'vitest';
 import { bindField } from '../../../src/field/bind.ts';
 import type { FieldMesh } from '../../../src/field/brickMesh.ts';
+import { culling } from '../../../src/field/bricks.ts';
 import { type Lattice, latticeAround } from '../../../src/field/lattice.ts';
+import { Tally } from '../../../src/field/near.ts';
 import type { FieldNode, Term } from '../../../src/field/node.ts';
 import { cullsOnDevice } from '../../../src/gpu/bricks/cullsOnDevice.ts';
 import { gpuPolygonizer } from '../../../src/gpu/polygonize/polygonizer.ts';
+import { gpuWork } from '../../../src/gpu/polygonize/work.ts';
 import { topology } from '../../../src/mesh/check.ts';
 import { BONE, body, placed, RIGID, SKEW, sphere } from '../../field/trees.ts';
 import { bricksOf } from '../../fixtures/bricks.ts';
@@ -87,6 +90,30 @@ describeGpu('meshes of bricks that the device finds', () => {
       expect(off(field, own, lattice.step)).toBeLessThan(OFF);
       const painted = own.colours.every((c, i) => Math.abs(c - expected.colours[i]!) < 0.02);
       expect(painted).toBe(true);
+    },
+    PATIENCE,
+  );
+
+  it(
+    'say what they took, nearly',
+    async () => {
+      const node = bush(5);
+      const field = bindField(node);
+      const lattice = latticeAround(field.box!, CELLS);
+      const tally = new Tally();
+      const steps = culling(field.near(tally), lattice);
+      let step = steps.next();
+      while (!step.done) step = steps.next();
+      const { nodes, aVertex } = gpuWork(step.value);
+      await withDevice(async (device) => {
+        const polygonizer = gpuPolygonizer(device);
+        const { work, vertices } = await (await polygonizer.whole(node, lattice)).needed();
+        // the device begins with smaller cubes
+        const ratio = work / (tally.work + nodes + aVertex * vertices);
+        expect(ratio).toBeGreaterThan(0.9);
+        expect(ratio).toBeLessThan(1.1);
+        polygonizer.destroy();
+      });
     },
     PATIENCE,
   );

@@ -1,6 +1,7 @@
 /** The stages are valid WGSL within the limits that every device has: on Dawn's null backend, which needs no driver. */
 import { afterAll, describe, expect, it } from 'vitest';
 import { create } from 'webgpu';
+import { brickStagesOn } from '../../../src/gpu/bricks/stages.ts';
 import { noIngredients } from '../../../src/gpu/ingredients.ts';
 import { stagesOn } from '../../../src/gpu/polygonize/stages.ts';
 import { EVERYTHING } from '../everything.ts';
@@ -33,7 +34,7 @@ describe('the stages of the polygonizer on the null backend', () => {
     ],
   ])('are valid for %s', async (_, ingredients) => {
     device!.pushErrorScope('validation');
-    await stagesOn(device!)(ingredients);
+    await Promise.all([stagesOn(device!)(ingredients), brickStagesOn(device!)(ingredients)]);
     expect((await device!.popErrorScope())?.message ?? null).toBeNull();
   });
 });
