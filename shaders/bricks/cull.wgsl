@@ -1,10 +1,10 @@
 #import bricks/level
-#import bricks/shapeRange
 #import bricks/sumRange
 #import bricks/treeRange
 #import field/place
 #import polygonize/lattice
 #import record/program
+#import shapeRange
 
 // Cubes of one level: what of the field matters in each, and whether the surface may be there. A thread is a cube, eight in a row those of
 // one of the level above. Twin of src/field/bricks.ts, which begins with one cube for all.
@@ -131,7 +131,7 @@ fn leaf_range(
   if (step.take == TAKE_SHAPE) {
     work += 32u;
     shapes++;
-    let range = scale * shape_range(load_shape(step.at), ball, scale);
+    let range = scale * shape_range(load_shape(step.at), ball);
     return Range(range.x, range.y, 0.0, (*cursor).met, true);
   }
   let first = (*cursor).met;
@@ -156,13 +156,6 @@ fn leaf_range(
   // a bound without an evaluation; value and gradient, and once more a bound; for the others about two sources
   work += 5u * list.count + 37u * stay + 18u * (list.count - stay);
   return Range(range.low, range.high, range.error, first, true);
-}
-
-// in the frame of the shape
-fn shape_range(shape: Shape, ball: Ball, scale: f32) -> vec2f {
-  let field = shape_field(shape, ball.centre);
-  let gradient = select(field.yzw, field.yzw * ball.inverse, ball.is_moved);
-  return distance_range(shape, field.x, ball.centre, ball.radius, ball.half * dot(abs(gradient), vec3f(1.0)));
 }
 
 // What there is no room for only counts.

@@ -1,3 +1,4 @@
+#import bricks/ball
 #import bricks/outer
 #import field/unseen
 #import record/leaf
@@ -25,20 +26,6 @@ var<private> choices: array<u32, MOST_CHOICES>;
 var<private> entries: array<vec4u, 5u * MOST_SUMS>;
 var<private> origins: array<vec4u, MOST_SUMS>;
 
-// A cube as the leaf sees it.
-struct Ball {
-  centre: vec3f,
-  // around the cube
-  radius: f32,
-  // by how much places are off
-  off: f32,
-  // half edge of the cube, in the world
-  half: f32,
-  is_moved: bool,
-  // gradients are turned into the world by it
-  inverse: mat3x3f,
-}
-
 struct SumRange {
   low: f32,
   high: f32,
@@ -59,18 +46,22 @@ fn sum_range(sum: Sum, leaf: Leaf, list: Outer, ball: Ball, allowed: f32, place:
     let number = outer_term(list.at, i);
     let term = load_term(sum.first + number * TERM_STRIDE);
     let bound = load_bound(leaf.bounds + number * BOUND_STRIDE);
+    let is_added = choice % 64u < cut;
+    var field = vec4f(0.0);
     // loops of one round: software adapters walk through branches that nobody takes, but not through such loops
-    for (var is_far = choice % 64u < cut; is_far; is_far = false) {
-      let one = stand_in_taylor(bound, term, choice / 64u, ball.centre);
+    for (var is_asked = !is_added || stands_for_itself(bound); is_asked; is_asked = false) {
+      field = clamp(term.factor * term_field(term, ball.centre), vec4f(-HUGE), vec4f(HUGE));
+    }
+    for (var is_far = is_added; is_far; is_far = false) {
+      let one = stand_in_taylor(bound, term, choice / 64u, ball.centre, field);
       far.constant += one.constant;
       far.linear += one.linear;
       far.squares += one.squares;
       far.mixed += one.mixed;
       colour += max(one.constant - UNSEEN * sum.threshold, 0.0) * vec4f(term.colour, 1.0);
     }
-    for (var is_near = choice % 64u >= cut; is_near; is_near = false) {
-      let look = look_at(bound, term, ball.centre, ball.radius);
-      let spread = term_spread(bound, term, look, ball.centre);
+    for (var is_near = !is_added; is_near; is_near = false) {
+      let spread = term_spread(bound, look_at(bound, term, ball.centre, ball.radius), field);
       near.centre += spread.centre;
       near.rest += spread.rest;
       near.low += spread.low;

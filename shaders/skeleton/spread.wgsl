@@ -2,9 +2,11 @@
 #import kernel/most
 #import record/bound
 #import record/point
+#import record/polygon
 #import record/segment
 #import record/term
 #import skeleton/gaussSources
+#import skeleton/rim
 #import skeleton/taylor
 #import term
 
@@ -19,6 +21,8 @@ const SAFE = 1.0001;
 const ROUNDING = 1e-6;
 // of distances, and of the length of a segment from whose line they are taken
 const BLUR = 2e-6;
+// what sums over edges leave, in parts of the largest field at the point's height, and from afar of the field times the distance
+const RESIDUE = 1e-5;
 // √floor over distance times n and a safe 2: what the clamp of singular lines changes beyond their ends
 const CLAMPED = 12.0;
 // what sources may be off by, in parts of what their polynomial leaves out
@@ -36,9 +40,14 @@ struct Look {
   is_clear: bool,
   // beyond the support, or of weight 0
   is_nothing: bool,
+  // of values: what sums over edges leave of the field elsewhere
+  slack: f32,
 }
 
 fn look_at(bound: Bound, term: Term, p: vec3f, radius: f32) -> Look {
+  if (HAS_PLATES && bound.dimension == 2u) {
+    return look_at_plate(bound, load_polygon(term.skel), p, radius * bound.per * SAFE);
+  }
   var distance: f32;
   var axis = 0.0;
   if (!HAS_LINES || bound.dimension == 0u) {
@@ -55,10 +64,39 @@ fn look_at(bound: Bound, term: Term, p: vec3f, radius: f32) -> Look {
     distance = max(distance - BLUR * skel.length, 0.0);
   }
   let by = radius * bound.per * SAFE;
-  let near = max(distance - by - BLUR * (distance + by), 0.0);
   let is_clear = bound.least == 0.0 || axis - by >= 2.0 * bound.least;
+  return look_from(bound, distance, by, is_clear, 0.0);
+}
+
+fn look_from(bound: Bound, distance: f32, by: f32, is_clear: bool, slack: f32) -> Look {
+  let near = max(distance - by - BLUR * (distance + by), 0.0);
   let r = max(distance * (1.0 - BLUR), bound.least);
-  return Look(r, by, near, is_clear, bound.most == 0.0 || near >= bound.support);
+  let is_nothing = bound.most == 0.0 || (near >= bound.support && slack == 0.0);
+  return Look(r, by, near, is_clear, is_nothing, slack);
+}
+
+// Plates of singular kernels, which are clamped over all of their planes, are the CPU's.
+fn look_at_plate(bound: Bound, skel: Polygon, p: vec3f, by: f32) -> Look {
+  let v = (p - skel.origin) * skel.scale;
+  let foot = vec2f(dot(v, skel.u), dot(v, skel.v));
+  let height = abs(dot(v, skel.n) - skel.lift);
+  let blur = BLUR * (skel.radius + length(v));
+  let low = max(height - by - blur, 0.0);
+  let far = max(length(v) - by - blur, 0.0);
+  // nothing at all is left beyond the circle around it
+  if (length(foot) - by - blur > skel.radius + bound.support || low > bound.support) {
+    return look_from(bound, max(max(length(foot) - skel.radius, height) - blur, 0.0), by, true, 0.0);
+  }
+  let rim = rim_of(skel, foot);
+  let across = select(0.0, sqrt(rim.distance2), rim.turns == 0);
+  var slack = most_at(bound, low);
+  if (bound.power > 2.0 || bound.change != CHANGE_POWER) {
+    slack += (1.0 + far / skel.radius) * most_at(bound, max(far - skel.radius, low));
+  } else {
+    // planes of these have no end: in parts of what edges come to
+    slack = 6.2831853 * bound.turns * bound.most * pow(1.0 + far, max(2.0 - bound.power, 0.0));
+  }
+  return look_from(bound, max(length(vec2f(across, height)) - blur, 0.0), by, true, RESIDUE * slack);
 }
 
 // θ of the ball, above 1 where nothing is known
@@ -79,14 +117,16 @@ fn stand_in(bound: Bound, look: Look, most: f32) -> StandIn {
     return StandIn(0.0, 0u);
   }
   if (HAS_SLOPES && bound.change != CHANGE_POWER) {
-    return StandIn(SAFE * most_at(bound, look.near), 0u);
+    let most_there = select(0.0, most_at(bound, look.near), look.near < bound.support);
+    return StandIn(SAFE * most_there + look.slack, 0u);
   }
   let theta = look_theta(bound, look);
   if (!look.is_clear || look.near < bound.least || theta >= 1.0) {
     return StandIn(HUGE, 0u);
   }
   let whole = most_at(bound, look.r);
-  let bend = power_rest(theta, bound.power, 3u);
+  let is_plate = HAS_PLATES && bound.dimension == 2u;
+  let bend = power_rest(theta, bound.power, select(3u, 2u, is_plate));
   if (!(whole * bend <= most)) {
     return StandIn(HUGE, 0u);
   }
@@ -98,11 +138,19 @@ fn stand_in(bound: Bound, look: Look, most: f32) -> StandIn {
     off = field * sources.off;
     count = sources.count;
   }
-  return StandIn(SAFE * ((whole + off) * bend + off) + ROUNDING * whole, count);
+  return StandIn(SAFE * ((whole + off) * bend + off) + ROUNDING * whole + look.slack, count);
 }
 
-// Its polynomial about p, mm; nothing of kernels that are no powers.
-fn stand_in_taylor(bound: Bound, term: Term, count: u32, p: vec3f) -> Taylor {
+// Whether that is made of the field itself, value and gradient.
+fn stands_for_itself(bound: Bound) -> bool {
+  return HAS_PLATES && bound.dimension == 2u && bound.change == CHANGE_POWER;
+}
+
+// Its polynomial about p, mm, where `field` is the term's; nothing of kernels that are no powers.
+fn stand_in_taylor(bound: Bound, term: Term, count: u32, p: vec3f, field: vec4f) -> Taylor {
+  if (stands_for_itself(bound)) {
+    return Taylor(field.x, field.yzw, vec3f(0.0), vec3f(0.0));
+  }
   if (count == 0u) {
     return Taylor(0.0, vec3f(0.0), vec3f(0.0), vec3f(0.0));
   }
@@ -128,20 +176,19 @@ struct Spread {
   high: f32,
 }
 
-// of the term at p, its factor counted
-fn term_spread(bound: Bound, term: Term, look: Look, p: vec3f) -> Spread {
+// of a term, whose value and gradient in the middle are `centre`
+fn term_spread(bound: Bound, look: Look, centre: vec4f) -> Spread {
   if (look.is_nothing) {
     return Spread(vec4f(0.0), 0.0, 0.0, 0.0);
   }
-  let centre = clamp(term.factor * term_field(term, p), vec4f(-HUGE), vec4f(HUGE));
   var spread: Spread;
-  let cap = most_at(bound, look.near);
+  let cap = select(0.0, most_at(bound, look.near), look.near < bound.support);
   if (!HAS_SLOPES || bound.change == CHANGE_POWER) {
     spread = power_spread(bound, look, centre, cap);
   } else {
     spread = slope_spread(bound, look, centre);
   }
-  let margin = MARGIN * min(cap, 1e25);
+  let margin = MARGIN * min(cap, 1e25) + look.slack;
   spread.low = max(spread.low, select(-cap, 0.0, bound.sign > 0.0)) - margin;
   spread.high = min(spread.high, select(cap, 0.0, bound.sign < 0.0)) + margin;
   spread.rest += margin;
@@ -170,7 +217,7 @@ fn power_spread(bound: Bound, look: Look, centre: vec4f, cap: f32) -> Spread {
     spread.rest = whole * bend;
   } else {
     let size = max(bound.sign * centre.x, 0.0);
-    let margin = MARGIN * whole;
+    let margin = MARGIN * whole + look.slack;
     let low = max(size - margin, 0.0) * factors.x;
     let high = min((size + margin) * factors.y, HUGE);
     spread.low = select(-high, low, bound.sign > 0.0);

@@ -84,14 +84,19 @@ const LANES = ['a', 'b', 'c'].flatMap((four) => [...'xyzw'].map((lane) => `shape
 
 function shapeModule(names: readonly Named<'shapes'>[]): string {
   const cases = names.map((name) => {
-    const lanes = [...LANES];
-    const list = shapes[name].takes.map((type) =>
-      type === 'f32' ? lanes.shift() : `vec3f(${lanes.splice(0, 3).join(', ')})`,
-    );
-    return [numberOf('shapes', name), `${snakeCase(name)}_field(${['p', ...list].join(', ')})`] as const;
+    return [numberOf('shapes', name), shapeCall(name, 'field', ['p'])] as const;
   });
   const head = 'fn shape_field(shape: Shape, p: vec3f) -> vec4f';
   return `#import record/shape\n${imports('shape', names)}${choice(head, 'shape.kind', cases, 'vec4f')}`;
+}
+
+/** `sphere_field(p, shape.a.x)` and so on. */
+export function shapeCall(name: Named<'shapes'>, what: string, first: readonly string[]): string {
+  const lanes = [...LANES];
+  const numbers = shapes[name].takes.map((type) =>
+    type === 'f32' ? lanes.shift() : `vec3f(${lanes.splice(0, 3).join(', ')})`,
+  );
+  return `${snakeCase(name)}_${what}(${[...first, ...numbers].join(', ')})`;
 }
 
 const OPERATIONS: Readonly<Record<Named<'operations'>, string>> = {
@@ -107,14 +112,14 @@ function operationModule(names: readonly Named<'operations'>[]): string {
   return imports('field', names) + choice(head, 'number', cases, 'vec3f');
 }
 
-const imports = (folder: string, names: readonly string[]): string =>
+export const imports = (folder: string, names: readonly string[]): string =>
   names.map((name) => `#import ${folder}/${name}\n`).join('');
 
 /** `inverseSquared` is inverse_squared in WGSL. */
 const snakeCase = (name: string): string => name.replace(/[A-Z]/g, (letter) => `_${letter.toLowerCase()}`);
 
 /** A function that makes the call whose number `of` is. */
-function choice(
+export function choice(
   head: string,
   of: string,
   cases: readonly (readonly [number: number, call: string])[],

@@ -4,19 +4,21 @@
  */
 import { stretches } from '../../field/affine.ts';
 import { bindField } from '../../field/bind.ts';
+import { expanded } from '../../field/expand.ts';
 import { Tally } from '../../field/near.ts';
 import { MOST_MISSED } from '../../field/nearSum.ts';
-import type { FieldNode } from '../../field/node.ts';
-import { kernels } from '../../kernel/index.ts';
+import type { FieldNode, SkelsNode } from '../../field/node.ts';
+import { kernelNamed, kernels } from '../../kernel/index.ts';
 import type { Kernel } from '../../kernel/kernel.ts';
-import { wholeLineOfPower } from '../../kernel/wholePower.ts';
+import { wholeLineOfPower, wholePlaneOfPower } from '../../kernel/wholePower.ts';
 import type { RecordValue } from '../../math/record.ts';
 import { bendsOf } from '../../skeleton/gaussSources.ts';
+import { regionOf } from '../../skeleton/region.ts';
+import type { PolygonSkel, Skel } from '../../skeleton/skels.ts';
 import { weightRange } from '../../skeleton/weightRange.ts';
-import { REGISTRY } from '../ingredients.ts';
 import { leavesOf } from '../polygonize/lists.ts';
 import { type Program, type Step, TAKE } from '../program.ts';
-import { BOUND, LEAF, PLACE, POINT, SEGMENT, SUM, TERM } from '../structs.ts';
+import { BOUND, LEAF, PLACE, POINT, POLYGON, SEGMENT, SUM, TERM } from '../structs.ts';
 import { sharesOf } from './shares.ts';
 
 /** How kernels change: in proportion to themselves, or by slopes of their own. */
@@ -42,14 +44,18 @@ const ROW = 16;
 /** `program`: of that very tree, which cullsOnDevice takes. */
 export function boundedProgram(node: FieldNode, program: Program): BoundedProgram {
   const leafOf = leavesOf(program.steps);
+  const bodies = bodiesOf(node);
   const slopes = slopesOf(node);
   const first = program.records.byteLength / ROW;
   const bounds: Bound[] = [];
   const leaves = program.steps.map((step, i) => {
     const own = first + (bounds.length * BOUND.stride) / ROW;
     const sum = step.take === TAKE.SUM ? SUM.read(viewOf(program, step.at), 0) : null;
-    for (let at = sum?.first ?? 0; at < (sum?.end ?? 0); at += TERM.stride / ROW) {
-      bounds.push(boundOf(program, TERM.read(viewOf(program, at), 0)));
+    if (sum) {
+      piecesOf(bodies[leafOf[i]!]!).forEach((skel, number) => {
+        const term = TERM.read(viewOf(program, sum.first + (number * TERM.stride) / ROW), 0);
+        bounds.push(boundOf(program, term, skel));
+      });
     }
     return {
       stretch: stretchOf(program, step),
@@ -83,13 +89,37 @@ function stretchOf(program: Program, { place, take }: Step): number {
   return stretches([...row(0), ...row(1), ...row(2)]).most * OVER;
 }
 
-function boundOf(program: Program, term: TermRecord): Bound {
+/** The leaves of a tree in their order; null for shapes. */
+function bodiesOf(node: FieldNode): readonly (SkelsNode | null)[] {
+  switch (node.type) {
+    case 'skels':
+      return [node];
+    case 'shape':
+      return [null];
+    case 'affine':
+      return bodiesOf(node.node);
+    case 'blend':
+      return [node.a, node.b].flatMap(bodiesOf);
+    case 'morph':
+      return [node.from, node.to].flatMap(bodiesOf);
+    default:
+      return node.parts.flatMap(bodiesOf);
+  }
+}
+
+/** What its terms are of, as they were written. */
+const piecesOf = ({ skels, kernel, params, threshold }: SkelsNode): readonly Skel[] =>
+  skels.flatMap(({ skel }) => expanded(skel, kernelNamed(kernel)!, params, threshold));
+
+function boundOf(program: Program, term: TermRecord, skel: Skel): Bound {
   const kernel = kernels[term.kernel]!;
-  switch (REGISTRY.primitives[term.primitive]) {
+  switch (skel.type) {
     case 'point':
       return pointBound(program, term, kernel);
-    default:
+    case 'segment':
       return segmentBound(program, term, kernel);
+    case 'polygon':
+      return plateBound(program, term, kernel, skel);
   }
 }
 
@@ -123,6 +153,28 @@ function segmentBound(program: Program, { skel, factor }: TermRecord, kernel: Ke
     whole: bound.power > 1 ? wholeLineOfPower(1, bound.power) * OVER : 0,
     per: scale * OVER,
     bends: [...bendsOf(line, range.most || 1)].map((bend) => bend * OVER),
+  };
+}
+
+function plateBound(
+  program: Program,
+  { skel, factor }: TermRecord,
+  kernel: Kernel,
+  plate: PolygonSkel,
+): Bound {
+  const { weight, exponent, scale } = POLYGON.read(viewOf(program, skel), 0);
+  const { covered, turns, isOneWay } = regionOf(plate);
+  const bound = kernelBound(kernel, exponent, LEAST.segment);
+  return {
+    ...bound,
+    most: Math.abs(factor * weight) * OVER,
+    sign: isOneWay ? Math.sign(factor * weight) : 0,
+    size: covered * scale * scale * OVER,
+    turns,
+    dimension: 2,
+    whole: bound.power > 2 ? wholePlaneOfPower(1, bound.power) * OVER : 0,
+    per: scale * OVER,
+    bends: [1, 0, 0, 0],
   };
 }
 

@@ -1,5 +1,8 @@
 /** Which trees the device culls itself (shaders/bricks); the others are culled by field/bricks.ts and uploaded. */
 import type { FieldNode } from '../../field/node.ts';
+import { kernels } from '../../kernel/index.ts';
+import type { Kernel } from '../../kernel/kernel.ts';
+import type { Ingredients } from '../ingredients.ts';
 import { type Program, programOf, TAKE } from '../program.ts';
 import { SUM, TERM } from '../structs.ts';
 
@@ -8,8 +11,11 @@ const MOST_SUMS = 32;
 /** of all of them: threads keep half a word of each */
 export const MOST_TERMS = 2048;
 
-/** shapes whose values say nothing of how far the surface is */
-const NO_DISTANCES = ['ellipsoid', 'quadric'] as const;
+/** Beside a plate of theirs float32 leaves two digits. */
+const isSingular =
+  ({ kernels: used }: Ingredients) =>
+  ({ name, homogeneity }: Kernel) =>
+    homogeneity !== 0 && used.has(name);
 
 /** FieldError for what has no field. */
 export const cullsOnDevice = (node: FieldNode): boolean => isCulledOnDevice(programOf(node));
@@ -30,8 +36,7 @@ export function isCulledOnDevice(program: Program): boolean {
   const sums = termsOf(program);
   return (
     ingredients.sections.size === 0 &&
-    !ingredients.primitives.has('polygon') &&
-    !NO_DISTANCES.some((name) => ingredients.shapes.has(name)) &&
+    !(ingredients.primitives.has('polygon') && kernels.some(isSingular(ingredients))) &&
     sums.length <= MOST_SUMS &&
     sums.reduce((sum, terms) => sum + terms, 0) <= MOST_TERMS
   );

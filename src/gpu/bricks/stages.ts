@@ -5,7 +5,7 @@ import { shapes } from '../../shape/index.ts';
 import { MOST_SOURCES, SHARES } from '../../skeleton/gaussSources.ts';
 import { type Ingredients, KINDS, namesOf, numberOf } from '../ingredients.ts';
 import { compile, link, type Modules } from '../link.ts';
-import { constants } from '../modules.ts';
+import { choice, constants, imports, shapeCall } from '../modules.ts';
 import { modulesOf } from '../polygonize/stages.ts';
 import { CHANGE } from './bounds.ts';
 import { MOST_TERMS } from './cullsOnDevice.ts';
@@ -65,7 +65,7 @@ export function brickModules(ingredients: Ingredients): Modules {
     'table/choices': `const MOST_CHOICES = ${MOST_TERMS / 2}u;\n`,
     'table/change': [...constants('CHANGE_', CHANGE), ...whatThereIs(ingredients)].join(''),
     'table/operations': operationNumbers(),
-    'table/shapes': convexShapes(ingredients),
+    shapeRange: shapeRanges(ingredients),
     'table/sources': sourceTables(),
   };
 }
@@ -91,12 +91,17 @@ const operationNumbers = (): string =>
     BLEND_UNION: numberOf('operations', 'blendUnion'),
   }).join('');
 
-/** Those whose distance is nowhere above what its gradient says. */
-function convexShapes(ingredients: Ingredients): string {
-  const numbers = namesOf(ingredients, 'shapes')
-    .filter((name) => shapes[name].exact && name !== 'torus')
-    .map((name) => `kind == ${numberOf('shapes', name)}u`);
-  return `fn shape_is_convex(kind: u32) -> bool {\n  return ${numbers.join(' || ') || 'false'};\n}\n`;
+/** Distances change by what the place does; other shapes say themselves what they may be. */
+function shapeRanges(ingredients: Ingredients): string {
+  const names = namesOf(ingredients, 'shapes');
+  const cases = names.map((name) => {
+    if (!shapes[name].exact)
+      return [numberOf('shapes', name), shapeCall(name, 'range', ['ball.centre', 'ball.radius'])] as const;
+    return [numberOf('shapes', name), `distance_range(shape, ball, ${name !== 'torus'})`] as const;
+  });
+  const files = names.filter((name) => !shapes[name].exact).map((name) => `${name}Range`);
+  const head = 'fn shape_range(shape: Shape, ball: Ball) -> vec2f';
+  return `#import bricks/distanceRange\n${imports('shape', files)}${choice(head, 'shape.kind', cases, 'vec2f')}`;
 }
 
 /** One to six points, one after the other, as (place, weight) for ∫ from 0 to 1; and what their errors are parts of. */

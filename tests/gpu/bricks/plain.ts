@@ -1,14 +1,14 @@
 /** A tree without what the device leaves to the CPU to cull (src/gpu/bricks/cullsOnDevice.ts). */
 import type { FieldNode, Term } from '../../../src/field/node.ts';
+import { kernelNamed } from '../../../src/kernel/index.ts';
+import type { Kernel } from '../../../src/kernel/kernel.ts';
 
 export function plain(node: FieldNode): FieldNode {
   switch (node.type) {
     case 'skels':
-      return { ...node, skels: node.skels.map(plainTerm) };
+      return { ...node, skels: node.skels.map((term) => plainTerm(term, kernelNamed(node.kernel)!)) };
     case 'shape':
-      return node.shape.type === 'ellipsoid' || node.shape.type === 'quadric'
-        ? { ...node, shape: { type: 'sphere', radius: 6 } }
-        : node;
+      return node;
     case 'affine':
       return { ...node, node: plain(node.node) };
     case 'blend':
@@ -20,10 +20,9 @@ export function plain(node: FieldNode): FieldNode {
   }
 }
 
-/** Without its section; a plate becomes its middle. */
-function plainTerm({ warp: _, ...term }: Term): Term {
+/** Without its section; a plate of a singular kernel becomes its middle. */
+function plainTerm({ warp: _, ...term }: Term, { homogeneity }: Kernel): Term {
   const { skel } = term;
-  return skel.type === 'polygon'
-    ? { ...term, skel: { type: 'point', at: skel.origin, weight: skel.weight } }
-    : term;
+  if (skel.type !== 'polygon' || homogeneity === 0) return term;
+  return { ...term, skel: { type: 'point', at: skel.origin, weight: skel.weight } };
 }
