@@ -1,7 +1,9 @@
 #import bricks/ball
 #import bricks/outer
 #import field/unseen
+#import field/warped
 #import record/leaf
+#import skeleton
 #import skeleton/spread
 #import table/choices
 
@@ -46,14 +48,16 @@ fn sum_range(sum: Sum, leaf: Leaf, list: Outer, ball: Ball, allowed: f32, place:
     let number = outer_term(list.at, i);
     let term = load_term(sum.first + number * TERM_STRIDE);
     let bound = load_bound(leaf.bounds + number * BOUND_STRIDE);
+    let seen = seen_from(bound, term, ball.centre, ball.radius);
     let is_added = choice % 64u < cut;
     var field = vec4f(0.0);
     // loops of one round: software adapters walk through branches that nobody takes, but not through such loops
     for (var is_asked = !is_added || stands_for_itself(bound); is_asked; is_asked = false) {
-      field = clamp(term.factor * term_field(term, ball.centre), vec4f(-HUGE), vec4f(HUGE));
+      let own = skel_field(term.primitive, term.kernel, term.skel, seen.place);
+      field = clamp(term.factor * own, vec4f(-HUGE), vec4f(HUGE));
     }
     for (var is_far = is_added; is_far; is_far = false) {
-      let one = stand_in_taylor(bound, term, choice / 64u, ball.centre, field);
+      let one = seen_taylor(term, seen, stand_in_taylor(bound, term, choice / 64u, seen.place, field));
       far.constant += one.constant;
       far.linear += one.linear;
       far.squares += one.squares;
@@ -61,7 +65,8 @@ fn sum_range(sum: Sum, leaf: Leaf, list: Outer, ball: Ball, allowed: f32, place:
       colour += max(one.constant - UNSEEN * sum.threshold, 0.0) * vec4f(term.colour, 1.0);
     }
     for (var is_near = !is_added; is_near; is_near = false) {
-      let spread = term_spread(bound, look_at(bound, term, ball.centre, ball.radius), field);
+      let local = term_spread(bound, look_at(bound, term, seen.place, seen.reach), field);
+      let spread = seen_spread(term, seen, local);
       near.centre += spread.centre;
       near.rest += spread.rest;
       near.low += spread.low;
@@ -90,7 +95,8 @@ fn choose(sum: Sum, leaf: Leaf, list: Outer, ball: Ball, budget: f32, first: u32
     let number = outer_term(list.at, i);
     let term = load_term(sum.first + number * TERM_STRIDE);
     let bound = load_bound(leaf.bounds + number * BOUND_STRIDE);
-    let found = stand_in(bound, look_at(bound, term, ball.centre, ball.radius), budget);
+    let seen = seen_from(bound, term, ball.centre, ball.radius);
+    let found = seen_stand_in(bound, look_at(bound, term, seen.place, seen.reach), seen, budget);
     let share = found.missed / budget;
     var choice = select(TOO_MUCH, NOTHING, found.missed == 0.0);
     if (budget > 0.0 && found.missed > 0.0 && found.missed <= budget) {

@@ -2,7 +2,7 @@
 #import operation
 #import program
 #import record/step
-#import table/operations
+#import table/numbers
 
 // What a tree may be within a cube, from its leaves on: twin of src/field/nearSet.ts, two operands at a time. Sums that cannot matter
 // under a hard union are noted, one bit each.

@@ -8,7 +8,6 @@
 #import skeleton/gaussSources
 #import skeleton/rim
 #import skeleton/taylor
-#import term
 
 // What a skel's field may be within a ball. Twin of src/skeleton/spread.ts, whose bounds float32 keeps by margins: what is computed
 // is good to a hundredth of them.

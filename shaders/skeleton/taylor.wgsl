@@ -17,3 +17,12 @@ fn shifted_taylor(c: Taylor, v: vec3f) -> Taylor {
   let bent = c.squares * v + 0.5 * (c.mixed * v.yzx + c.mixed.zxy * v.zxy);
   return Taylor(c.constant + dot(c.linear + bent, v), c.linear + 2.0 * bent, c.squares, c.mixed);
 }
+
+// of l(v) = transposed rows · v
+fn mapped_taylor(local: Taylor, rows: mat3x3f) -> Taylor {
+  let s = 2.0 * local.squares;
+  let m = local.mixed;
+  let bent = rows * mat3x3f(s.x, m.x, m.z, m.x, s.y, m.y, m.z, m.y, s.z) * transpose(rows);
+  let squares = 0.5 * vec3f(bent[0].x, bent[1].y, bent[2].z);
+  return Taylor(local.constant, rows * local.linear, squares, vec3f(bent[0].y, bent[1].z, bent[2].x));
+}

@@ -149,6 +149,8 @@ export const BOUND = record('Bound', {
   per: 'f32',
   /** |w⁽ʲ⁾| l^j / j! in parts of the largest |w| */
   bends: 'vec4f',
+  /** of a cross section that is not round: how its map bends (section.ts); of a drawn one the largest |R′|, the least and the largest R */
+  section: 'vec4f',
 });
 
 /** The first record of a field: its steps, and beyond the last; for pairs its terms. */

@@ -8,6 +8,9 @@ import { expanded } from '../../field/expand.ts';
 import { Tally } from '../../field/near.ts';
 import { MOST_MISSED } from '../../field/nearSum.ts';
 import type { FieldNode, SkelsNode } from '../../field/node.ts';
+import { polarLimits } from '../../field/polarProfile.ts';
+import { superQuadricBend } from '../../field/superQuadric.ts';
+import type { Warp } from '../../field/warp.ts';
 import { kernelNamed, kernels } from '../../kernel/index.ts';
 import type { Kernel } from '../../kernel/kernel.ts';
 import { wholeLineOfPower, wholePlaneOfPower } from '../../kernel/wholePower.ts';
@@ -52,9 +55,9 @@ export function boundedProgram(node: FieldNode, program: Program): BoundedProgra
     const own = first + (bounds.length * BOUND.stride) / ROW;
     const sum = step.take === TAKE.SUM ? SUM.read(viewOf(program, step.at), 0) : null;
     if (sum) {
-      piecesOf(bodies[leafOf[i]!]!).forEach((skel, number) => {
+      piecesOf(bodies[leafOf[i]!]!).forEach(({ skel, section }, number) => {
         const term = TERM.read(viewOf(program, sum.first + (number * TERM.stride) / ROW), 0);
-        bounds.push(boundOf(program, term, skel));
+        bounds.push({ ...boundOf(program, term, skel), section: sectionOf(section) });
       });
     }
     return {
@@ -108,10 +111,29 @@ function bodiesOf(node: FieldNode): readonly (SkelsNode | null)[] {
 }
 
 /** What its terms are of, as they were written. */
-const piecesOf = ({ skels, kernel, params, threshold }: SkelsNode): readonly Skel[] =>
-  skels.flatMap(({ skel }) => expanded(skel, kernelNamed(kernel)!, params, threshold));
+const piecesOf = ({ skels, kernel, params, threshold }: SkelsNode) =>
+  skels.flatMap(({ skel: own, warp }) =>
+    expanded(own, kernelNamed(kernel)!, params, threshold).map((skel) => ({ skel, section: warp?.section })),
+  );
 
-function boundOf(program: Program, term: TermRecord, skel: Skel): Bound {
+function sectionOf(section: Warp['section'] | undefined): readonly number[] {
+  switch (section?.type) {
+    case 'superQuadric':
+      return [Math.min(superQuadricBend(section.exponent) * OVER, FAR), 0, 0, 0];
+    case 'extrusion':
+      return [FAR, 0, 0, 0];
+    case 'polar': {
+      const { bend, steepest, smallest, largest } = polarLimits(section.radii);
+      return [bend * OVER, steepest * OVER, smallest / OVER, largest * OVER];
+    }
+    default:
+      return [0, 0, 0, 0];
+  }
+}
+
+type Plain = Omit<Bound, 'section'>;
+
+function boundOf(program: Program, term: TermRecord, skel: Skel): Plain {
   const kernel = kernels[term.kernel]!;
   switch (skel.type) {
     case 'point':
@@ -123,7 +145,7 @@ function boundOf(program: Program, term: TermRecord, skel: Skel): Bound {
   }
 }
 
-function pointBound(program: Program, { skel, factor }: TermRecord, kernel: Kernel): Bound {
+function pointBound(program: Program, { skel, factor }: TermRecord, kernel: Kernel): Plain {
   const { weight, exponent, scale } = POINT.read(viewOf(program, skel), 0);
   return {
     ...kernelBound(kernel, exponent, LEAST.point),
@@ -138,7 +160,7 @@ function pointBound(program: Program, { skel, factor }: TermRecord, kernel: Kern
   };
 }
 
-function segmentBound(program: Program, { skel, factor }: TermRecord, kernel: Kernel): Bound {
+function segmentBound(program: Program, { skel, factor }: TermRecord, kernel: Kernel): Plain {
   const { weights, length, exponent, scale } = SEGMENT.read(viewOf(program, skel), 0);
   const line = { weights: Float64Array.from(weights), length };
   const range = weightRange(line);
@@ -161,7 +183,7 @@ function plateBound(
   { skel, factor }: TermRecord,
   kernel: Kernel,
   plate: PolygonSkel,
-): Bound {
+): Plain {
   const { weight, exponent, scale } = POLYGON.read(viewOf(program, skel), 0);
   const { covered, turns, isOneWay } = regionOf(plate);
   const bound = kernelBound(kernel, exponent, LEAST.segment);

@@ -35,7 +35,6 @@ export function isCulledOnDevice(program: Program): boolean {
   const { ingredients } = program;
   const sums = termsOf(program);
   return (
-    ingredients.sections.size === 0 &&
     !(ingredients.primitives.has('polygon') && kernels.some(isSingular(ingredients))) &&
     sums.length <= MOST_SUMS &&
     sums.reduce((sum, terms) => sum + terms, 0) <= MOST_TERMS

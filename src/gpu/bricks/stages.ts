@@ -64,14 +64,14 @@ export function brickModules(ingredients: Ingredients): Modules {
     'record/level': LEVEL.wgsl,
     'table/choices': `const MOST_CHOICES = ${MOST_TERMS / 2}u;\n`,
     'table/change': [...constants('CHANGE_', CHANGE), ...whatThereIs(ingredients)].join(''),
-    'table/operations': operationNumbers(),
+    'table/numbers': ingredientNumbers(),
     shapeRange: shapeRanges(ingredients),
     'table/sources': sourceTables(),
   };
 }
 
 /** Software adapters walk through every branch, so that those that are not taken are not there. */
-function whatThereIs({ kernels: used, primitives }: Ingredients): readonly string[] {
+function whatThereIs({ kernels: used, primitives, sections }: Ingredients): readonly string[] {
   const has = {
     GAUSSIAN: used.has('gaussian'),
     QUARTIC: used.has('quartic'),
@@ -80,12 +80,15 @@ function whatThereIs({ kernels: used, primitives }: Ingredients): readonly strin
     ANY_POWER: used.has('power'),
     LINES: primitives.has('segment'),
     PLATES: primitives.has('polygon'),
+    SECTIONS: sections.size > 0,
   };
   return Object.entries(has).map(([name, is]) => `const HAS_${name} = ${is};\n`);
 }
 
-const operationNumbers = (): string =>
+const ingredientNumbers = (): string =>
   constants('', {
+    ROUND: numberOf('sections', 'round'),
+    POLAR: numberOf('sections', 'polar'),
     HARD_UNION: numberOf('operations', 'hardUnion'),
     SMOOTH_UNION: numberOf('operations', 'smoothUnion'),
     BLEND_UNION: numberOf('operations', 'blendUnion'),

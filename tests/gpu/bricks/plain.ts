@@ -20,8 +20,8 @@ export function plain(node: FieldNode): FieldNode {
   }
 }
 
-/** Without its section; a plate of a singular kernel becomes its middle. */
-function plainTerm({ warp: _, ...term }: Term, { homogeneity }: Kernel): Term {
+/** A plate of a singular kernel becomes its middle. */
+function plainTerm(term: Term, { homogeneity }: Kernel): Term {
   const { skel } = term;
   if (skel.type !== 'polygon' || homogeneity === 0) return term;
   return { ...term, skel: { type: 'point', at: skel.origin, weight: skel.weight } };
