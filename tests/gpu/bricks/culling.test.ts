@@ -2,20 +2,20 @@
  * Bricks that the device finds, against the field itself in float64: what is said to be inside or outside is, lists are as good as their
  * headers say, and there are hardly more of them than the CPU finds.
  */
-import { afterAll, expect, it } from 'vitest';
+import { afterAll, beforeAll, expect, it } from 'vitest';
 import { bindField, boundTerms } from '../../../src/field/bind.ts';
 import { INSIDE, OUTSIDE } from '../../../src/field/bricks.ts';
 import { BRICK, type Lattice, latticeAround } from '../../../src/field/lattice.ts';
 import type { FieldNode, SkelsNode } from '../../../src/field/node.ts';
 import { cullsOnDevice } from '../../../src/gpu/bricks/cullsOnDevice.ts';
+import { openDevice } from '../../../src/gpu/device.ts';
 import type { Vec3 } from '../../../src/math/vec.ts';
 import { taylorAt } from '../../../src/skeleton/taylor.ts';
 import { Lot } from '../../field/lot.ts';
 import { randomBody, randomTree } from '../../field/randomTrees.ts';
 import { body, box, placed, sphere } from '../../field/trees.ts';
 import { bricksOf } from '../../fixtures/bricks.ts';
-import { withDevice } from '../compute.ts';
-import { closeDawn, describeGpu } from '../dawn.ts';
+import { closeDawn, dawnGpu, describeGpu } from '../dawn.ts';
 import { EVERYTHING } from '../everything.ts';
 import { type Culled, culledOn, headerOf, type Scene } from './culled.ts';
 import { plain } from './plain.ts';
@@ -25,7 +25,7 @@ afterAll(closeDawn);
 const BODIES = process.env.ROTUND_FULL ? 200 : 30;
 const TREES = process.env.ROTUND_FULL ? 200 : 30;
 const CELLS = 24;
-/** ms: a pipeline of everything takes software adapters half a minute */
+/** ms */
 const PATIENCE = 300_000;
 
 /** Bounded ones of what the lot draws. */
@@ -92,12 +92,22 @@ const ratio = (all: readonly Scene[], found: readonly Culled[]) =>
   all.reduce((sum, { node, lattice }) => sum + bricksOf(node, lattice).active.length, 0);
 
 describeGpu('bricks of the device', () => {
+  // one for all, for a pipeline of everything takes software adapters half a minute
+  let device: GPUDevice;
+  let release = () => {};
+  beforeAll(async () => {
+    const opened = await openDevice(dawnGpu());
+    if ('reason' in opened) throw new Error(opened.reason);
+    ({ device, release } = opened);
+  });
+  afterAll(() => release());
+
   it.each([1, 1e6, 1e-6])(
     `of bodies of every kernel hold the surface, with sizes about %s mm (${BODIES} bodies, seed 101)`,
     async (unit) => {
       const lot = new Lot(101, unit);
       const all = scenes(lot, BODIES, randomBody);
-      const found = await withDevice((device) => culledOn(device, all, EVERYTHING));
+      const found = await culledOn(device, all, EVERYTHING);
       found.forEach((culled, i) => {
         expect(wrong(lot, all[i]!, culled), JSON.stringify(all[i]!.node)).toEqual([]);
         expectInOrder(culled);
@@ -112,7 +122,7 @@ describeGpu('bricks of the device', () => {
     async () => {
       const lot = new Lot(102);
       const all = scenes(lot, TREES, randomTree);
-      const found = await withDevice((device) => culledOn(device, all, EVERYTHING));
+      const found = await culledOn(device, all, EVERYTHING);
       found.forEach((culled, i) => {
         expect(wrong(lot, all[i]!, culled), JSON.stringify(all[i]!.node)).toEqual([]);
         expectInOrder(culled);
@@ -127,7 +137,7 @@ describeGpu('bricks of the device', () => {
     async () => {
       const lot = new Lot(103);
       const all = scenes(lot, BODIES, randomBody) as readonly (Scene & { node: SkelsNode })[];
-      const found = await withDevice((device) => culledOn(device, all, EVERYTHING));
+      const found = await culledOn(device, all, EVERYTHING);
       let far = 0;
       found.forEach((culled, i) => {
         far += expectListed(lot, all[i]!, culled);
@@ -145,7 +155,7 @@ describeGpu('bricks of the device', () => {
       const lot = new Lot(1);
       const trees = [plain(body(undefined, 50)), sphere(20), placed(box(3, 3, 3), 5, 0, 0)];
       const all = trees.map((node): Scene => ({ node, lattice }));
-      const found = await withDevice((device) => culledOn(device, all, EVERYTHING));
+      const found = await culledOn(device, all, EVERYTHING);
       found.forEach((culled, i) => {
         expect(wrong(lot, all[i]!, culled)).toEqual([]);
         expectInOrder(culled);

@@ -15,7 +15,6 @@ import { bricksOf } from '../../fixtures/bricks.ts';
 import { random } from '../../fixtures/random.ts';
 import { withDevice } from '../compute.ts';
 import { closeDawn, describeGpu } from '../dawn.ts';
-import { plain } from './plain.ts';
 
 afterAll(closeDawn);
 
@@ -36,11 +35,18 @@ function bush(seed: number): FieldNode {
 }
 
 const torus: FieldNode = { type: 'shape', shape: { type: 'torus', ring: 4, tube: 1 } };
-const bone = plain(body(BONE));
+const bone = body(BONE);
 
 const BODIES: Readonly<Record<string, FieldNode>> = {
   'a bush of 12 segments (seed 5)': bush(5),
   'a torus': torus,
+  'a body of sections': body([
+    {
+      ...BONE[0]!,
+      warp: { section: { type: 'superQuadric', exponent: 4 }, scale: [1.5, 0.8], up: [0, 1, 0] },
+    },
+    { ...BONE[1]!, warp: { section: { type: 'round' }, scale: [1, 2], up: [0, 1, 0], along: [0, 0, 1] } },
+  ]),
   'a moved body': { type: 'affine', matrix: RIGID, node: bone },
   'a union of bodies and a ball': {
     type: 'union',
@@ -128,8 +134,7 @@ describeGpu('meshes of bricks that the device finds', () => {
         expect((await mesh.read()).indices.length).toBe(0);
         const odd = { ...lattice, counts: [18, 17, 17] } as const;
         await expect(polygonizer.polygonize(sphere(2), odd)).rejects.toThrow('18 × 17 × 17');
-        const warp = { section: { type: 'round' }, scale: [2, 1], up: [0, 1, 0], along: [1, 0, 0] } as const;
-        const flat = body([{ ...BONE[0]!, warp }]);
+        const flat = { ...body([BONE[2]!]), kernel: 'inverseCubic', params: {} };
         expect(cullsOnDevice(flat)).toBe(false);
         await expect(polygonizer.polygonize(flat, lattice)).rejects.toThrow('cannot find');
         await expect(polygonizer.polygonize(body([BONE[0]!], 0), lattice)).rejects.toThrow(
