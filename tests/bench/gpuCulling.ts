@@ -8,7 +8,8 @@ import type { FieldNode } from '../../src/field/node.ts';
 import { boundedProgram } from '../../src/gpu/bricks/bounds.ts';
 import { rowsOf } from '../../src/gpu/bricks/cullsOnDevice.ts';
 import { encodeCulling } from '../../src/gpu/bricks/encode.ts';
-import { COUNTERS, firstRooms, largerRooms, neededRooms } from '../../src/gpu/bricks/levels.ts';
+import { COUNTERS, neededRooms } from '../../src/gpu/bricks/levels.ts';
+import { firstRooms, grownRooms } from '../../src/gpu/bricks/rooms.ts';
 import { brickStagesOn } from '../../src/gpu/bricks/stages.ts';
 import { dispatch } from '../../src/gpu/dispatch.ts';
 import { Buffers, readBack, USAGE } from '../../src/gpu/polygonize/buffers.ts';
@@ -84,7 +85,7 @@ async function cullingTime(device: GPUDevice, node: FieldNode): Promise<number> 
   };
   for (const _ of rooms) {
     const [bytes] = await readBack(device, [await run()]);
-    rooms = largerRooms(rooms, neededRooms(new Uint32Array(bytes!)));
+    rooms = grownRooms(rooms, neededRooms(new Uint32Array(bytes!)));
   }
   const { ms } = await least(ROUNDS, run);
   buffers.destroy();

@@ -49,30 +49,6 @@ export interface Level {
   readonly rows: number;
 }
 
-/** `rows`: entries of a cube that knows nothing yet. */
-export function firstRooms(lattice: Lattice, rows: number): readonly LevelRoom[] {
-  return SIZES.map((size, depth) => {
-    const [x, y, z] = alongOf(lattice, size);
-    // a surface that goes once through the lattice each way
-    const cubes = Math.min(x * y * z, x * y + y * z + z * x);
-    return { cubes, rows: cubes * Math.min(rows, Math.ceil(rows / 2 ** depth) + 8) };
-  });
-}
-
-/** The larger of both everywhere. */
-export const largerRooms = (a: readonly LevelRoom[], b: readonly LevelRoom[]): readonly LevelRoom[] =>
-  a.map(({ cubes, rows }, i) => ({ cubes: Math.max(cubes, b[i]!.cubes), rows: Math.max(rows, b[i]!.rows) }));
-
-/** What is there, grown to what was needed; what came after a level that was too small is not known yet. */
-export const grownRooms = (rooms: readonly LevelRoom[], needed: readonly LevelRoom[]): readonly LevelRoom[] =>
-  rooms.map(({ cubes, rows }, i) => ({
-    cubes: Math.max(cubes, grown(needed[i]!.cubes, cubes)),
-    rows: Math.max(rows, grown(needed[i]!.rows, rows)),
-  }));
-
-/** a little more than was needed, for bodies grow under the pen */
-const grown = (needed: number, room: number) => (needed > room ? Math.ceil(1.25 * needed) : 0);
-
 export function levelsOf({ step }: Lattice, rooms: readonly LevelRoom[], leaves: number): readonly Level[] {
   const slotsOf = (depth: number) => (SIZES[depth] === 1 ? rooms[depth]!.cubes : 0);
   return rooms.map((room, depth) => {

@@ -9,7 +9,7 @@ import type { PackedBricks } from '../../field/packedBricks.ts';
 import { boundedProgram } from '../bricks/bounds.ts';
 import { isCulledOnDevice, rowsOf } from '../bricks/cullsOnDevice.ts';
 import { type Culling, encodeCulling } from '../bricks/encode.ts';
-import { firstRooms, grownRooms, type LevelRoom, largerRooms } from '../bricks/levels.ts';
+import { Rooms } from '../bricks/rooms.ts';
 import { brickStagesOn } from '../bricks/stages.ts';
 import type { Modules } from '../link.ts';
 import { type Program, programOf } from '../program.ts';
@@ -59,8 +59,8 @@ class Polygonizer implements GpuPolygonizer {
   readonly #first: Capacity | null;
   /** of one that did not fit */
   #needed: Capacity | null = null;
-  /** of levels of bricks that the device culls */
-  #rooms: readonly LevelRoom[] | null = null;
+  /** of bricks that the device culls */
+  readonly #rooms = new Rooms();
   #isGone = false;
   #lost: string | null = null;
 
@@ -95,7 +95,7 @@ class Polygonizer implements GpuPolygonizer {
       const mesh = await this.polygonize(node, ground);
       if (!(await mesh.overflowed())) return mesh;
       const needed = await mesh.needed();
-      this.#rooms = this.#rooms && grownRooms(this.#rooms, needed.bricks);
+      if ('origin' in ground) this.#rooms.grow(ground, needed.bricks);
       if (needed.vertices > 0) this.#needed = needed;
       mesh.destroy();
     }
@@ -111,10 +111,8 @@ class Polygonizer implements GpuPolygonizer {
   async #cullingOf(node: FieldNode, program: Program, lattice: Lattice): Promise<Culling> {
     if (!isCulledOnDevice(program)) throw new RangeError('a tree whose bricks the device cannot find');
     const stages = await this.#told(brickStagesOn(this.#device)(program.ingredients));
-    const bounded = boundedProgram(node, program);
-    const first = firstRooms(lattice, rowsOf(program));
-    this.#rooms = this.#rooms ? largerRooms(first, this.#rooms) : first;
-    return { lattice, stages, bounded, rooms: this.#rooms };
+    const rooms = this.#rooms.of(lattice, rowsOf(program));
+    return { lattice, stages, bounded: boundedProgram(node, program), rooms };
   }
 
   #begin(stages: Stages, program: Program, ground: PackedBricks | Culling, own: Buffers): GpuMesh {

@@ -4,14 +4,8 @@ import type { FieldNode } from '../../../src/field/node.ts';
 import { boundedProgram } from '../../../src/gpu/bricks/bounds.ts';
 import { rowsOf } from '../../../src/gpu/bricks/cullsOnDevice.ts';
 import { encodeCulling } from '../../../src/gpu/bricks/encode.ts';
-import {
-  COUNTERS,
-  firstRooms,
-  grownRooms,
-  type LevelRoom,
-  neededRooms,
-  overflows,
-} from '../../../src/gpu/bricks/levels.ts';
+import { COUNTERS, type LevelRoom, neededRooms, overflows } from '../../../src/gpu/bricks/levels.ts';
+import { firstRooms, grownRooms } from '../../../src/gpu/bricks/rooms.ts';
 import { brickStagesOn } from '../../../src/gpu/bricks/stages.ts';
 import type { Ingredients } from '../../../src/gpu/ingredients.ts';
 import { Buffers, readBack, USAGE } from '../../../src/gpu/polygonize/buffers.ts';
