@@ -5,7 +5,7 @@
 #import record/leaf
 #import skeleton
 #import skeleton/spread
-#import table/choices
+#import table/sizes
 
 // A sum of skels as it is within a cube: which terms are added up in a polynomial, least missed first as long as the budget lasts, which
 // stay, and what all may be there. Twin of src/field/nearSum.ts, which halves a cut until what is below it fits; here what is missed falls
@@ -18,8 +18,6 @@ const BINS_AN_OCTAVE = 3.0;
 // in place of a bin: nothing is missed, or too much
 const NOTHING = 0u;
 const TOO_MUCH = 63u;
-
-const MOST_SUMS = 32u;
 
 // Of each term in the list of the cube around, in half a word: its bin from 1 on, and 64 times the sources that stand for it.
 var<private> choices: array<u32, MOST_CHOICES>;

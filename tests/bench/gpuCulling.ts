@@ -6,7 +6,7 @@ import type { Lattice } from '../../src/field/lattice.ts';
 import { nodeCount } from '../../src/field/lattice.ts';
 import type { FieldNode } from '../../src/field/node.ts';
 import { boundedProgram } from '../../src/gpu/bricks/bounds.ts';
-import { rowsOf } from '../../src/gpu/bricks/cullsOnDevice.ts';
+import { rowsOf, sizesFor } from '../../src/gpu/bricks/cullsOnDevice.ts';
 import { encodeCulling } from '../../src/gpu/bricks/encode.ts';
 import { COUNTERS, neededRooms } from '../../src/gpu/bricks/levels.ts';
 import { firstRooms, grownRooms } from '../../src/gpu/bricks/rooms.ts';
@@ -69,7 +69,10 @@ async function meshTime(device: GPUDevice, node: FieldNode, where: () => Where):
 /** Records made and sent, and all levels of cubes. */
 async function cullingTime(device: GPUDevice, node: FieldNode): Promise<number> {
   const program = programOf(node);
-  const [stages, scan] = await Promise.all([brickStagesOn(device)(program.ingredients), loadScan(device)]);
+  const [stages, scan] = await Promise.all([
+    brickStagesOn(device)(program.ingredients, sizesFor(program)!),
+    loadScan(device),
+  ]);
   const buffers = new Buffers(device);
   let rooms = firstRooms(LATTICE, rowsOf(program));
   const run = async () => {

@@ -6,10 +6,28 @@ import type { Ingredients } from '../ingredients.ts';
 import { type Program, programOf, TAKE } from '../program.ts';
 import { SUM, TERM } from '../structs.ts';
 
-/** as in shaders/bricks/sumRange.wgsl: sums of a tree, of which a bit each tells whether it counts */
-const MOST_SUMS = 32;
-/** of all of them: threads keep half a word of each */
-export const MOST_TERMS = 2048;
+/** What threads of shaders/bricks/cull.wgsl have room for. */
+export interface Sizes {
+  /** of a tree; a bit each tells whether it counts */
+  readonly sums: number;
+  /** of all of them: half a word each */
+  readonly terms: number;
+}
+
+/** The room of a thread is its device's dearest: pipelines are made for the first that is large enough. */
+const SIZES: readonly Sizes[] = [
+  { sums: 1, terms: 128 },
+  { sums: 4, terms: 512 },
+  { sums: 32, terms: 2048 },
+];
+export const LARGEST = SIZES.at(-1)!;
+
+/** Null where no size is large enough. */
+export function sizesFor(program: Program): Sizes | null {
+  const sums = termsOf(program);
+  const all = sums.reduce((sum, terms) => sum + terms, 0);
+  return SIZES.find((size) => sums.length <= size.sums && all <= size.terms) ?? null;
+}
 
 /** Beside a plate of theirs float32 leaves two digits. */
 const isSingular =
@@ -33,10 +51,6 @@ export const rowsOf = (program: Program): number =>
 
 export function isCulledOnDevice(program: Program): boolean {
   const { ingredients } = program;
-  const sums = termsOf(program);
-  return (
-    !(ingredients.primitives.has('polygon') && kernels.some(isSingular(ingredients))) &&
-    sums.length <= MOST_SUMS &&
-    sums.reduce((sum, terms) => sum + terms, 0) <= MOST_TERMS
-  );
+  const isHard = ingredients.primitives.has('polygon') && kernels.some(isSingular(ingredients));
+  return !isHard && sizesFor(program) !== null;
 }

@@ -8,7 +8,7 @@ import { compile, link, type Modules } from '../link.ts';
 import { choice, constants, imports, shapeCall } from '../modules.ts';
 import { modulesOf } from '../polygonize/stages.ts';
 import { CHANGE } from './bounds.ts';
-import { MOST_TERMS } from './cullsOnDevice.ts';
+import { LARGEST, type Sizes } from './cullsOnDevice.ts';
 import { LEVEL } from './levels.ts';
 
 /** Buffers of group 0 by their binding; `cull` has the records in group 1. */
@@ -25,10 +25,10 @@ export type BrickStages = Readonly<Record<BrickStage, GPUComputePipeline>>;
 
 const NAMES = Object.keys(BRICK_STAGES) as BrickStage[];
 
-type Load = (ingredients: Ingredients) => Promise<BrickStages>;
+type Load = (ingredients: Ingredients, sizes?: Sizes) => Promise<BrickStages>;
 const made = new WeakMap<GPUDevice, Load>();
 
-/** The stages for ingredients, each compiled once a device. */
+/** The stages for ingredients and sizes, each compiled once a device. */
 export function brickStagesOn(device: GPUDevice): Load {
   const load = made.get(device) ?? loader(device);
   made.set(device, load);
@@ -37,9 +37,11 @@ export function brickStagesOn(device: GPUDevice): Load {
 
 function loader(device: GPUDevice): Load {
   const known = new Map<string, Promise<BrickStages>>();
-  return (ingredients) => {
-    const key = KINDS.map((kind) => namesOf(ingredients, kind).join(' ')).join(', ');
-    const stages = known.get(key) ?? loadStages(device, brickModules(ingredients));
+  return (ingredients, sizes = LARGEST) => {
+    const key = [sizes.sums, sizes.terms, ...KINDS.map((kind) => namesOf(ingredients, kind).join(' '))].join(
+      ', ',
+    );
+    const stages = known.get(key) ?? loadStages(device, brickModules(ingredients, sizes));
     known.set(key, stages);
     // what failed once is tried again
     stages.catch(() => known.delete(key));
@@ -58,11 +60,11 @@ async function loadStages(device: GPUDevice, modules: Modules): Promise<BrickSta
 }
 
 /** All that the stages import. */
-export function brickModules(ingredients: Ingredients): Modules {
+export function brickModules(ingredients: Ingredients, { sums, terms }: Sizes = LARGEST): Modules {
   return {
     ...modulesOf(ingredients),
     'record/level': LEVEL.wgsl,
-    'table/choices': `const MOST_CHOICES = ${MOST_TERMS / 2}u;\n`,
+    'table/sizes': constants('', { MOST_SUMS: sums, MOST_CHOICES: terms / 2 }).join(''),
     'table/change': [...constants('CHANGE_', CHANGE), ...whatThereIs(ingredients)].join(''),
     'table/numbers': ingredientNumbers(),
     shapeRange: shapeRanges(ingredients),

@@ -7,7 +7,7 @@ import type { Lattice } from '../../field/lattice.ts';
 import type { FieldNode } from '../../field/node.ts';
 import type { PackedBricks } from '../../field/packedBricks.ts';
 import { boundedProgram } from '../bricks/bounds.ts';
-import { isCulledOnDevice, rowsOf } from '../bricks/cullsOnDevice.ts';
+import { isCulledOnDevice, rowsOf, sizesFor } from '../bricks/cullsOnDevice.ts';
 import { type Culling, encodeCulling } from '../bricks/encode.ts';
 import { Rooms } from '../bricks/rooms.ts';
 import { brickStagesOn } from '../bricks/stages.ts';
@@ -109,8 +109,10 @@ class Polygonizer implements GpuPolygonizer {
 
   /** How the device culls that tree. */
   async #cullingOf(node: FieldNode, program: Program, lattice: Lattice): Promise<Culling> {
-    if (!isCulledOnDevice(program)) throw new RangeError('a tree whose bricks the device cannot find');
-    const stages = await this.#told(brickStagesOn(this.#device)(program.ingredients));
+    const sizes = sizesFor(program);
+    if (!sizes || !isCulledOnDevice(program))
+      throw new RangeError('a tree whose bricks the device cannot find');
+    const stages = await this.#told(brickStagesOn(this.#device)(program.ingredients, sizes));
     const rooms = this.#rooms.of(lattice, rowsOf(program));
     return { lattice, stages, bounded: boundedProgram(node, program), rooms };
   }

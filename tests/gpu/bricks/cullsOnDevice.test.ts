@@ -1,7 +1,7 @@
 /** Which trees the device culls, and how much of its errors each leaf of them may bring. */
 import { describe, expect, it } from 'vitest';
 import type { FieldNode, Term } from '../../../src/field/node.ts';
-import { cullsOnDevice, MOST_TERMS } from '../../../src/gpu/bricks/cullsOnDevice.ts';
+import { cullsOnDevice, LARGEST } from '../../../src/gpu/bricks/cullsOnDevice.ts';
 import { sharesOf } from '../../../src/gpu/bricks/shares.ts';
 import { kernels } from '../../../src/kernel/index.ts';
 import { BONE, body, placed, sphere } from '../../field/trees.ts';
@@ -52,8 +52,8 @@ describe('the device culls', () => {
         ),
       ),
     ).toBe(true);
-    expect(cullsOnDevice(points(MOST_TERMS))).toBe(true);
-    expect(cullsOnDevice(points(MOST_TERMS + 1))).toBe(false);
+    expect(cullsOnDevice(points(LARGEST.terms))).toBe(true);
+    expect(cullsOnDevice(points(LARGEST.terms + 1))).toBe(false);
   });
 
   it('nothing that has no field', () => {
