@@ -134,7 +134,7 @@ export const BOUND = record('Bound', {
   /** length or area, as often as it is gone round; 1 for points */
   size: 'f32',
   turns: 'f32',
-  /** CHANGE */
+  /** CHANGE (bricks/termBound.ts) */
   change: 'u32',
   dimension: 'u32',
   /** (core + r²)^(−power/2) */

@@ -8,24 +8,12 @@ import { expanded } from '../../field/expand.ts';
 import { Tally } from '../../field/near.ts';
 import { MOST_MISSED } from '../../field/nearSum.ts';
 import type { FieldNode, SkelsNode } from '../../field/node.ts';
-import { polarLimits } from '../../field/polarProfile.ts';
-import { superQuadricBend } from '../../field/superQuadric.ts';
-import type { Warp } from '../../field/warp.ts';
-import { kernelNamed, kernels } from '../../kernel/index.ts';
-import type { Kernel } from '../../kernel/kernel.ts';
-import { wholeLineOfPower, wholePlaneOfPower } from '../../kernel/wholePower.ts';
-import type { RecordValue } from '../../math/record.ts';
-import { bendsOf } from '../../skeleton/gaussSources.ts';
-import { regionOf } from '../../skeleton/region.ts';
-import type { PolygonSkel, Skel } from '../../skeleton/skels.ts';
-import { weightRange } from '../../skeleton/weightRange.ts';
+import { kernelNamed } from '../../kernel/index.ts';
 import { leavesOf } from '../polygonize/lists.ts';
 import { type Program, type Step, TAKE } from '../program.ts';
-import { BOUND, LEAF, PLACE, POINT, POLYGON, SEGMENT, SUM, TERM } from '../structs.ts';
+import { BOUND, LEAF, PLACE, SUM, TERM } from '../structs.ts';
 import { sharesOf } from './shares.ts';
-
-/** How kernels change: in proportion to themselves, or by slopes of their own. */
-export const CHANGE = { POWER: 0, GAUSSIAN: 1, QUARTIC: 2 } as const;
+import { type Bound, boundOf, OVER, ROW, viewOf } from './termBound.ts';
 
 export interface BoundedProgram {
   /** those of the program, then bounds of terms, then a leaf for each step */
@@ -33,16 +21,6 @@ export interface BoundedProgram {
   /** where the leaves begin, in rows of 16 bytes */
   readonly leaves: number;
 }
-
-type Bound = RecordValue<(typeof BOUND)['members']>;
-type TermRecord = RecordValue<(typeof TERM)['members']>;
-
-/** of numbers that bound: more than float32 rounds by */
-const OVER = 1 + 1e-6;
-/** of a segment's length, and of the radius where a singular point is 1: what is nearer is clamped (kernel/frame.wgsl) */
-const LEAST = { segment: 2e-6, point: 2e-5 } as const;
-const FAR = 1e30;
-const ROW = 16;
 
 /** `program`: of that very tree, which cullsOnDevice takes. */
 export function boundedProgram(node: FieldNode, program: Program): BoundedProgram {
@@ -57,7 +35,7 @@ export function boundedProgram(node: FieldNode, program: Program): BoundedProgra
     if (sum) {
       piecesOf(bodies[leafOf[i]!]!).forEach(({ skel, section }, number) => {
         const term = TERM.read(viewOf(program, sum.first + (number * TERM.stride) / ROW), 0);
-        bounds.push({ ...boundOf(program, term, skel), section: sectionOf(section) });
+        bounds.push(boundOf(program, term, skel, section));
       });
     }
     return {
@@ -115,103 +93,6 @@ const piecesOf = ({ skels, kernel, params, threshold }: SkelsNode) =>
   skels.flatMap(({ skel: own, warp }) =>
     expanded(own, kernelNamed(kernel)!, params, threshold).map((skel) => ({ skel, section: warp?.section })),
   );
-
-function sectionOf(section: Warp['section'] | undefined): readonly number[] {
-  switch (section?.type) {
-    case 'superQuadric':
-      return [Math.min(superQuadricBend(section.exponent) * OVER, FAR), 0, 0, 0];
-    case 'extrusion':
-      return [FAR, 0, 0, 0];
-    case 'polar': {
-      const { bend, steepest, smallest, largest } = polarLimits(section.radii);
-      return [bend * OVER, steepest * OVER, smallest / OVER, largest * OVER];
-    }
-    default:
-      return [0, 0, 0, 0];
-  }
-}
-
-type Plain = Omit<Bound, 'section'>;
-
-function boundOf(program: Program, term: TermRecord, skel: Skel): Plain {
-  const kernel = kernels[term.kernel]!;
-  switch (skel.type) {
-    case 'point':
-      return pointBound(program, term, kernel);
-    case 'segment':
-      return segmentBound(program, term, kernel);
-    case 'polygon':
-      return plateBound(program, term, kernel, skel);
-  }
-}
-
-function pointBound(program: Program, { skel, factor }: TermRecord, kernel: Kernel): Plain {
-  const { weight, exponent, scale } = POINT.read(viewOf(program, skel), 0);
-  return {
-    ...kernelBound(kernel, exponent, LEAST.point),
-    most: Math.abs(factor * weight) * OVER,
-    sign: Math.sign(factor * weight),
-    size: 1,
-    turns: 1,
-    dimension: 0,
-    whole: 0,
-    per: scale * OVER,
-    bends: [1, 0, 0, 0],
-  };
-}
-
-function segmentBound(program: Program, { skel, factor }: TermRecord, kernel: Kernel): Plain {
-  const { weights, length, exponent, scale } = SEGMENT.read(viewOf(program, skel), 0);
-  const line = { weights: Float64Array.from(weights), length };
-  const range = weightRange(line);
-  const bound = kernelBound(kernel, exponent, LEAST.segment * length);
-  return {
-    ...bound,
-    most: Math.abs(factor) * range.most * OVER,
-    sign: range.sign * Math.sign(factor),
-    size: length * OVER,
-    turns: 1,
-    dimension: 1,
-    whole: bound.power > 1 ? wholeLineOfPower(1, bound.power) * OVER : 0,
-    per: scale * OVER,
-    bends: [...bendsOf(line, range.most || 1)].map((bend) => bend * OVER),
-  };
-}
-
-function plateBound(
-  program: Program,
-  { skel, factor }: TermRecord,
-  kernel: Kernel,
-  plate: PolygonSkel,
-): Plain {
-  const { weight, exponent, scale } = POLYGON.read(viewOf(program, skel), 0);
-  const { covered, turns, isOneWay } = regionOf(plate);
-  const bound = kernelBound(kernel, exponent, LEAST.segment);
-  return {
-    ...bound,
-    most: Math.abs(factor * weight) * OVER,
-    sign: isOneWay ? Math.sign(factor * weight) : 0,
-    size: covered * scale * scale * OVER,
-    turns,
-    dimension: 2,
-    whole: bound.power > 2 ? wholePlaneOfPower(1, bound.power) * OVER : 0,
-    per: scale * OVER,
-    bends: [1, 0, 0, 0],
-  };
-}
-
-function kernelBound({ name, change, support, homogeneity }: Kernel, exponent: number, least: number) {
-  const isPower = change.type === 'relative';
-  return {
-    change: isPower ? CHANGE.POWER : name === 'gaussian' ? CHANGE.GAUSSIAN : CHANGE.QUARTIC,
-    core: isPower ? change.core : 1,
-    power: isPower ? change.power(exponent) : 4,
-    support: Math.min(support, FAR),
-    least: homogeneity === 0 ? 0 : least,
-  };
-}
-
-const viewOf = ({ records }: Program, row: number) => new DataView(records, ROW * row);
 
 function joined(parts: readonly ArrayBuffer[]): ArrayBuffer {
   const all = new Uint8Array(parts.reduce((sum, { byteLength }) => sum + byteLength, 0));

@@ -2,7 +2,8 @@
  * Culling on the device: cubes of eight bricks, all of them against all terms, then their eighths, down to bricks, each with its lists;
  * last the bricks in the order of the grid. What is written is what uploadField uploads, and how many bricks there are stays there too.
  *
- * Tried: see docs/performance.md for times against culling on the CPU.
+ * Theory: Kravtsov's five steps (§1.3.1) sample the whole volume; here their scan and compaction serve cubes. Departure from field/bricks.ts:
+ * no octree from the root, whose first levels have fewer cubes than a device has threads.
  */
 import type { Lattice } from '../../field/lattice.ts';
 import { type Buffers, type Slice, USAGE } from '../polygonize/buffers.ts';

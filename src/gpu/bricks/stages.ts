@@ -7,9 +7,9 @@ import { type Ingredients, KINDS, namesOf, numberOf } from '../ingredients.ts';
 import { compile, link, type Modules } from '../link.ts';
 import { choice, constants, imports, shapeCall } from '../modules.ts';
 import { modulesOf } from '../polygonize/stages.ts';
-import { CHANGE } from './bounds.ts';
 import { LARGEST, type Sizes } from './cullsOnDevice.ts';
 import { LEVEL } from './levels.ts';
+import { CHANGE } from './termBound.ts';
 
 /** Buffers of group 0 by their binding; `cull` has the records in group 1. */
 export const BRICK_STAGES = {
