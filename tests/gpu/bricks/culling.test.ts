@@ -18,6 +18,7 @@ import { bricksOf } from '../../fixtures/bricks.ts';
 import { closeDawn, dawnGpu, describeGpu } from '../dawn.ts';
 import { EVERYTHING } from '../everything.ts';
 import { type Culled, culledOn, headerOf, type Scene } from './culled.ts';
+import { nearOn } from './nearOn.ts';
 import { plain } from './plain.ts';
 
 afterAll(closeDawn);
@@ -25,8 +26,10 @@ afterAll(closeDawn);
 const BODIES = process.env.ROTUND_FULL ? 200 : 30;
 const TREES = process.env.ROTUND_FULL ? 200 : 30;
 const CELLS = 24;
-/** ms */
-const PATIENCE = 300_000;
+/** of values near 1, in float32 */
+const BLUR = 3e-4;
+/** ms: a pipeline of everything takes lavapipe minutes */
+const PATIENCE = process.env.ROTUND_FULL ? 1_800_000 : 600_000;
 
 /** Bounded ones of what the lot draws. */
 function scenes(lot: Lot, count: number, draw: (lot: Lot) => FieldNode): readonly Scene[] {
@@ -144,6 +147,40 @@ describeGpu('bricks of the device', () => {
       });
       // the test is of something
       expect(far).toBeGreaterThan(100);
+    },
+    PATIENCE,
+  );
+
+  it(
+    `of random trees have the field of the tree, what was dropped does not matter (${TREES} trees, seed 104)`,
+    async () => {
+      const lot = new Lot(104);
+      const all = scenes(lot, TREES, randomTree);
+      const found = await culledOn(device, all, EVERYTHING);
+      const near = await nearOn(device);
+      let [compared, dropped] = [0, 0];
+      for (const [i, culled] of found.entries()) {
+        const { node, lattice } = all[i]!;
+        const field = bindField(node);
+        const inBricks = [...samples(lot, lattice)].flatMap(({ number, at }) => {
+          const own = culled.grid[number]!;
+          return own < 0 ? [] : at.map((p) => [...p.map(Math.fround), own]);
+        });
+        if (inBricks.length === 0) continue;
+        const values = await near(node, culled, Float32Array.from(inBricks.flat()));
+        inBricks.forEach(([x, y, z, own], k) => {
+          const exact = field.value(x!, y!, z!);
+          const { error, start } = headerOf(culled, own!);
+          if (culled.lists[4 * start] !== 0) dropped++;
+          // beside skels a value is as steep as it is large
+          if (Math.abs(exact) > 3) return;
+          compared++;
+          expect(Math.abs(values[k]! - exact), JSON.stringify([x, y, z, node])).toBeLessThan(error + BLUR);
+        });
+      }
+      // the test is of something
+      expect(dropped).toBeGreaterThan(10);
+      expect(compared).toBeGreaterThan(1000);
     },
     PATIENCE,
   );
