@@ -76,8 +76,10 @@ class Polygonizer implements GpuPolygonizer {
 
   async polygonize(node: FieldNode, where: Where): Promise<GpuMesh> {
     const program = programOf(node);
-    const ground = 'origin' in where ? await this.#cullingOf(node, program, where) : packed(node, where);
-    const stages = await this.#told(this.#stages(program.ingredients));
+    const [ground, stages] = await Promise.all([
+      'origin' in where ? this.#cullingOf(node, program, where) : packed(node, where),
+      this.#told(this.#stages(program.ingredients)),
+    ]);
     if (this.#isGone) throw new Error('the polygonizer was given back');
     const own = this.#free.pop() ?? new Buffers(this.#device);
     try {
