@@ -11,7 +11,7 @@ export interface MadeOnGpu {
   readonly mesh: DeviceMesh;
   readonly vertices: number;
   readonly triangles: number;
-  /** of the device, to find bricks */
+  /** what the device asked of skels where it found the bricks itself, else 0 */
   readonly work: number;
   /** on the page */
   readonly milliseconds: number;
