@@ -1,9 +1,7 @@
+#import field/unseen
 #import list
 #import term
 #import record/sum
-
-// of T: what adds less has no colour
-const UNSEEN = 1e-3;
 
 // Σ λ F − T: value and gradient, or value and the mean colour of what adds to it. Twin of src/field/skelSum.ts.
 fn sum_field(at: u32, p: vec3f, colours: bool) -> vec4f {

@@ -1,11 +1,12 @@
-/** `rotund mesh --backend gpu`: bricks by the CPU, meshes of them in WGSL, on whatever adapter there is, read back. */
+/** `rotund mesh --backend gpu`: bricks by the device or the CPU, meshes of them in WGSL, on whatever adapter there is, read back. */
 import { type Body, bodyMade, keepBody } from '../document/bodies.ts';
 import { bindField } from '../field/bind.ts';
 import type { FieldNode } from '../field/node.ts';
-import { type Located, locating } from '../field/polygonize.ts';
+import { type Located, latticed, locating } from '../field/polygonize.ts';
 import { thinOf } from '../field/thin.ts';
+import { cullsOnDevice } from '../gpu/bricks/cullsOnDevice.ts';
 import { openDevice } from '../gpu/device.ts';
-import { type GpuPolygonizer, gpuPolygonizer } from '../gpu/polygonize/polygonizer.ts';
+import { type GpuPolygonizer, gpuPolygonizer, type Where } from '../gpu/polygonize/polygonizer.ts';
 import { gpuWork } from '../gpu/polygonize/work.ts';
 import type { BodyMaker, MadeBody } from './bodyMaker.ts';
 import type { OpenGpu } from './gpuEvaluator.ts';
@@ -36,13 +37,22 @@ async function made(
 ): Promise<MadeBody> {
   const known = bodyMade(node);
   if (known?.cells === cells) return { ...known, backend: 'webgpu' };
-  const body = { ...(await onGpu(polygonizer, node, locatedAt(node, cells), name)), cells };
+  const field = bindField(node);
+  if (cullsOnDevice(node)) {
+    const { lattice, tally } = finished(latticed(field, cells));
+    const { mesh, work } = await read(polygonizer, node, lattice, name);
+    const thin = thinOf(mesh, lattice);
+    return kept(node, { mesh: { ...mesh, thin }, evaluations: tally.work + work, cells });
+  }
+  return kept(node, { ...(await onGpu(polygonizer, node, finished(locating(field, cells)), name)), cells });
+}
+
+function kept(node: FieldNode, body: Body): MadeBody {
   keepBody(node, body);
   return { ...body, backend: 'webgpu' };
 }
 
-function locatedAt(node: FieldNode, cells: number): Located {
-  const steps = locating(bindField(node), cells);
+function finished<T>(steps: Generator<number, T>): T {
   for (;;) {
     const { done, value } = steps.next();
     if (done) return value;
@@ -56,13 +66,20 @@ async function onGpu(
   name: string,
 ): Promise<Omit<Body, 'cells'>> {
   const { nodes, aVertex } = gpuWork(bricks);
-  const onDevice = await polygonizer.whole(node, bricks).catch((error: unknown) => {
+  const { mesh } = await read(polygonizer, node, bricks, name);
+  const vertices = mesh.positions.length / 3;
+  const thin = thinOf(mesh, bricks.lattice);
+  return { mesh: { ...mesh, thin }, evaluations: tally.work + nodes + aVertex * vertices };
+}
+
+/** The mesh, and what the device says that it took to find its bricks. */
+async function read(polygonizer: GpuPolygonizer, node: FieldNode, where: Where, name: string) {
+  const onDevice = await polygonizer.whole(node, where).catch((error: unknown) => {
     const reason = error instanceof Error ? error.message : String(error);
     throw new Problem(`--backend gpu, part “${name}”: ${reason}`, 1);
   });
   const mesh = await onDevice.read();
+  const { work } = await onDevice.needed();
   onDevice.destroy();
-  const vertices = mesh.positions.length / 3;
-  const thin = thinOf(mesh, bricks.lattice);
-  return { mesh: { ...mesh, thin }, evaluations: tally.work + nodes + aVertex * vertices };
+  return { mesh, work };
 }

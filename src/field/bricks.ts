@@ -9,7 +9,8 @@
 import type { Vec3 } from '../math/vec.ts';
 import type { Box } from '../skeleton/skeleton.ts';
 import { BRICK, type Lattice } from './lattice.ts';
-import type { Near } from './near.ts';
+import { type Near, Tally } from './near.ts';
+import type { TreeField } from './treeField.ts';
 
 /** in the grid of bricks: proven to have one sign everywhere */
 export const OUTSIDE = -1;
@@ -19,7 +20,7 @@ export const INSIDE = -2;
  * Cells: by how much what a brick misses of far skels may move the surface; a proven bound, four to ten times what it does. 1.6e-2 took 4 %
  * more work, 3e-2 more again for vertices that are not sure (edgePoint.ts).
  */
-const MISSED = 2e-2;
+export const MISSED = 2e-2;
 
 /** places in the octree between two looks at the clock */
 const BATCH = 64;
@@ -107,6 +108,9 @@ export function brickBox({ lattice: { origin, step }, active }: Pick<Bricks, 'la
   });
   return { min, max };
 }
+
+/** Whether smooth fields never meet in it, wherever it is. */
+export const isSmooth = (field: TreeField): boolean => field.near(new Tally()).branches === 1;
 
 type At = Pick<Brick, 'i' | 'j' | 'k'>;
 

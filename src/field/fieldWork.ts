@@ -16,7 +16,7 @@ export interface Make {
   readonly node: FieldNode;
   /** cells along the longest side */
   readonly resolution: number;
-  /** who makes the mesh: the worker, or the page on its graphics device, which gets bricks for it */
+  /** who makes the mesh: the worker, or the page on its graphics device, which gets bricks for it or finds them */
   readonly mesh: 'worker' | 'page';
   /**
    * Under which name the body is kept, so that a next one of that name is an edit of it: quicker, but not to the bit what is made at once;
@@ -52,18 +52,18 @@ interface Step {
   readonly milliseconds: number;
 }
 
-/** The page is to make the mesh of these. */
+/** The page is to make the mesh of these bricks, or to have its device find them where there are none. */
 export interface Located extends Step {
   readonly type: 'bricks';
   readonly node: FieldNode;
   readonly lattice: Lattice;
-  /** all of them; or, of a body that is kept, what became of those that were handed over before */
-  readonly bricks: PackedBricks | PackedEdit;
+  /** all of them; of a body that is kept what became of those that were handed over before; null: the device finds them itself */
+  readonly bricks: PackedBricks | PackedEdit | null;
   /** edits of them may follow */
   readonly isKept: boolean;
   /** around all that is inside, mm */
   readonly box: Box;
-  /** what each vertex adds to the work */
+  /** what each vertex adds to the work; what the device finds it counts itself */
   readonly workAVertex: number;
 }
 

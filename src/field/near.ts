@@ -123,6 +123,8 @@ export interface NearLeaf {
   /** numbers of the terms that are asked, ascending; null for shapes */
   readonly terms: readonly number[] | null;
   readonly far: Far | null;
+  /** of sums, told where all of it is asked for: of the field about its surface, nearly, a millimetre */
+  readonly steep?: number;
 }
 
 /** All other terms of a sum together, less T, in the frame of the leaf. */

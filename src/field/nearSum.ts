@@ -170,7 +170,8 @@ class NearSum implements Near {
   eachLeaf(visit: (leaf: NearLeaf) => void): void {
     const { terms, far } = this.#list;
     const numbers = terms.map(({ number }) => number);
-    visit({ leaf: this.#whole.leaf, dropped: null, terms: numbers, far });
+    const { leaf, steep } = this.#whole;
+    visit({ leaf, dropped: null, terms: numbers, far, steep });
   }
 
   eachDropped(way: Way, visit: (leaf: NearLeaf) => void): void {

@@ -29,9 +29,7 @@ export function polarProfile({ radii }: PolarProfile): Section {
     }
   });
   const control = controlRadii(radii);
-  const largest = Math.max(...radii);
-  const smallest = Math.min(...radii);
-  const { steepest, bend } = slopesOf(control, smallest);
+  const { largest, smallest, steepest, bend } = polarLimits(radii);
   return {
     value(x, y) {
       if (x === 0 && y === 0) return 1;
@@ -79,6 +77,12 @@ export function polarProfile({ radii }: PolarProfile): Section {
     },
     extent: (r) => [r * largest, r * largest],
   };
+}
+
+/** Of a checked profile: its radii, and how far it may turn away. */
+export function polarLimits(radii: readonly number[]) {
+  const [largest, smallest] = [Math.max(...radii), Math.min(...radii)];
+  return { largest, smallest, ...slopesOf(controlRadii(radii), smallest) };
 }
 
 /**

@@ -40,13 +40,18 @@ export function polygonize(field: TreeField, resolution: number, box: Box | null
   }
 }
 
-/** What a field is asked through, and where its surface may be. */
-export interface Located {
+/** What a field is asked through, and the lattice of its body. */
+export interface Fitted {
   readonly whole: Near;
   readonly tally: Tally;
-  readonly bricks: Bricks;
-  /** around all that is inside of them */
+  readonly lattice: Lattice;
+  /** around all that is inside */
   readonly box: Box;
+}
+
+/** The same, and where its surface may be. */
+export interface Located extends Omit<Fitted, 'lattice'> {
+  readonly bricks: Bricks;
 }
 
 /**
@@ -72,16 +77,16 @@ export function* polygonizing(
   }
 }
 
-/** The bricks of a body in `box`, as above. */
-export function* locating(
+/** The lattice of a body in `box`, as above. */
+export function* latticed(
   field: TreeField,
   resolution: number,
   box: Box | null = field.box,
-): Generator<number, Located> {
+): Generator<number, Fitted> {
   const tally = new Tally();
   const whole = field.near(tally);
   const { lattice, around } = yield* fittedLattice(whole, box, resolution);
-  return { whole, tally, bricks: yield* culling(whole, lattice), box: around };
+  return { whole, tally, lattice, box: around };
 }
 
 /** Around what is inside of `box`; null: over the page. */
@@ -93,6 +98,16 @@ export function* fittedLattice(whole: Near, box: Box | null, resolution: number)
   // a lattice where nothing is makes an empty mesh
   const around: Box = (yield* fitting(whole, box)) ?? box;
   return { lattice: latticeAround(around, resolution), around };
+}
+
+/** The bricks of a body in `box`. */
+export function* locating(
+  field: TreeField,
+  resolution: number,
+  box: Box | null = field.box,
+): Generator<number, Located> {
+  const { lattice, ...fitted } = yield* latticed(field, resolution, box);
+  return { ...fitted, bricks: yield* culling(fitted.whole, lattice) };
 }
 
 /** The mesh of all bricks, and whether it was cut off at each side of the lattice: −x, x, −y, y, −z, z. */

@@ -19,13 +19,17 @@ export interface SuperQuadric {
 /** Closer to an axis the slope of t^α is not followed. */
 const CREASE = 1e-6;
 
+/** A norm's second derivative around, largest on the diagonal, and twice its first; without a bound at the axes below 2. */
+export function superQuadricBend(exponent: number): number {
+  const around = Math.max((exponent - 1) * pow(2, 1 / exponent - 0.5), 1);
+  return exponent >= 2 ? Math.sqrt(around * around + 4) : Infinity;
+}
+
 export function superQuadric({ exponent }: SuperQuadric): Section {
   if (!(exponent >= 0.3 && exponent <= 100))
     throw new FieldError(`exponent must be 0.3–100, got ${exponent}`);
   const stretch = (t: number, s: number) => pow(1 + s, 1 / exponent) / Math.sqrt(1 + t * t);
-  // a norm's second derivative around, largest on the diagonal, and twice its first; without a bound at the axes below 2
-  const around = Math.max((exponent - 1) * pow(2, 1 / exponent - 0.5), 1);
-  const bend = exponent >= 2 ? Math.sqrt(around * around + 4) : Infinity;
+  const bend = superQuadricBend(exponent);
   const generic = (x: number, y: number) => {
     const large = Math.max(x, y);
     const t = large === 0 ? 0 : Math.min(x, y) / large;

@@ -97,7 +97,7 @@ function shapeModule(names: readonly Named<'shapes'>[]): string {
 function sidedShapes(names: readonly Named<'shapes'>[]): string {
   const sided = names.filter((name) => bindShape(shapes[name].examples[0]!).facets);
   const calls = (among: typeof names, call: string, ...last: string[]) =>
-    among.map((name) => [numberOf('shapes', name), shapeCall(name, call, ...last)] as const);
+    among.map((name) => [numberOf('shapes', name), shapeCall(name, call, ['p'], last)] as const);
   const make = (head: string, type: string, cases: ReturnType<typeof calls>) =>
     choice(`fn ${head} -> ${type}`, 'shape.kind', cases, type);
   return [
@@ -108,12 +108,18 @@ function sidedShapes(names: readonly Named<'shapes'>[]): string {
   ].join('');
 }
 
-function shapeCall(name: Named<'shapes'>, call: string, ...last: string[]): string {
+/** `sphere_field(p, shape.a.x)` and so on. */
+export function shapeCall(
+  name: Named<'shapes'>,
+  what: string,
+  first: readonly string[] = ['p'],
+  last: readonly string[] = [],
+): string {
   const lanes = [...LANES];
-  const list = shapes[name].takes.map((type) =>
+  const numbers = shapes[name].takes.map((type) =>
     type === 'f32' ? lanes.shift() : `vec3f(${lanes.splice(0, 3).join(', ')})`,
   );
-  return `${snakeCase(name)}_${call}(${['p', ...list, ...last].join(', ')})`;
+  return `${snakeCase(name)}_${what}(${[...first, ...numbers, ...last].join(', ')})`;
 }
 
 const OPERATIONS: Readonly<Record<Named<'operations'>, string>> = {
@@ -129,14 +135,14 @@ function operationModule(names: readonly Named<'operations'>[]): string {
   return imports('field', names) + choice(head, 'number', cases, 'vec3f');
 }
 
-const imports = (folder: string, names: readonly string[]): string =>
+export const imports = (folder: string, names: readonly string[]): string =>
   names.map((name) => `#import ${folder}/${name}\n`).join('');
 
 /** `inverseSquared` is inverse_squared in WGSL. */
 const snakeCase = (name: string): string => name.replace(/[A-Z]/g, (letter) => `_${letter.toLowerCase()}`);
 
 /** A function that makes the call whose number `of` is. */
-function choice(
+export function choice(
   head: string,
   of: string,
   cases: readonly (readonly [number: number, call: string])[],

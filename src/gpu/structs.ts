@@ -115,6 +115,46 @@ export const STEP = record('Step', {
   sides: 'u32',
 });
 
+/** What culling knows of a step's leaf (bricks/bounds.ts): a table beside the steps, after all other records. */
+export const LEAF = record('Leaf', {
+  /** by which its frame stretches lengths at most */
+  stretch: 'f32',
+  /** of sums: what may be missed of the field for a millimetre that the surface may be off */
+  slope: 'f32',
+  /** and at all */
+  most: 'f32',
+  /** of its terms, in their order */
+  bounds: 'u32',
+});
+
+/** What bounds on a term know of it, once; kernel units. */
+export const BOUND = record('Bound', {
+  /** of |λ w| */
+  most: 'f32',
+  /** 1 or −1 where λ w has one sign, else 0 */
+  sign: 'f32',
+  /** length or area, as often as it is gone round; 1 for points */
+  size: 'f32',
+  turns: 'f32',
+  /** CHANGE (bricks/termBound.ts) */
+  change: 'u32',
+  dimension: 'u32',
+  /** (core + r²)^(−power/2) */
+  core: 'f32',
+  power: 'f32',
+  /** of the line or plane without ends at core + r² = 1 */
+  whole: 'f32',
+  /** nearer than that singular kernels are clamped, or float32 cannot tell */
+  least: 'f32',
+  support: 'f32',
+  /** of a millimetre */
+  per: 'f32',
+  /** |w⁽ʲ⁾| l^j / j! in parts of the largest |w| */
+  bends: 'vec4f',
+  /** of a cross section that is not round: how its map bends (section.ts); of a drawn one the largest |R′|, the least and the largest R */
+  section: 'vec4f',
+});
+
 /** The first record of a field: its steps, and beyond the last; for pairs its terms. */
 export const PROGRAM = record('Program', { first: 'u32', end: 'u32' });
 
@@ -131,4 +171,6 @@ export const RECORDS = {
   place: PLACE,
   step: STEP,
   program: PROGRAM,
+  leaf: LEAF,
+  bound: BOUND,
 } as const;

@@ -31,9 +31,9 @@ export interface Sources {
   add(ball: Ball, factor: number, count: GaussPoints, out: Taylor): void;
 }
 
-const MOST = 6;
+export const MOST_SOURCES = 6;
 /** (G!)⁴ / ((2G + 1) ((2G)!)²) */
-const SHARES = Float64Array.of(0, 1 / 12, 1 / 180, 1 / 2800, 1 / 44100, 1 / 698544, 1 / 11099088);
+export const SHARES = Float64Array.of(0, 1 / 12, 1 / 180, 1 / 2800, 1 / 44100, 1 / 698544, 1 / 11099088);
 /** numbers of a point: place in mm, weight */
 const POINT = 4;
 
@@ -67,9 +67,7 @@ export class GaussSources implements Sources {
     this.#a = a;
     this.#u = u;
     this.#per = per;
-    // |w⁽ʲ⁾| l^j / j! in parts of the largest |w|
-    const bends = Float64Array.from(frame.weights, (_, j) => (j === 0 ? 1 : bend(frame, j) / most));
-    this.#errors = errors(bends, this.#exponent);
+    this.#errors = errors(bendsOf(frame, most), this.#exponent);
   }
 
   choose(choice: Choice): void {
@@ -83,7 +81,7 @@ export class GaussSources implements Sources {
     let even = 1;
     let odd = 0;
     let off = Infinity;
-    for (let count = 1; count <= MOST; count++) {
+    for (let count = 1; count <= MOST_SOURCES; count++) {
       const at = 4 * count;
       off = even * (errors[at + 2]! + x * (errors[at + 1]! + x * errors[at]!)) + odd * errors[at + 3]!;
       choice.count = count as GaussPoints;
@@ -129,10 +127,10 @@ export class GaussSources implements Sources {
 
 /** With c_m of the power n, four for each count: the share of Σ_j bends[j] c_(2G − j) x^(2G − j). */
 function errors(bends: Float64Array, n: number): Float64Array {
-  const c = new Float64Array(2 * MOST + 1).fill(1);
-  for (let m = 1; m <= 2 * MOST; m++) c[m] = (c[m - 1]! * (m + n - 1)) / m;
-  const out = new Float64Array(4 * (MOST + 1));
-  for (let count = 1; count <= MOST; count++) {
+  const c = new Float64Array(2 * MOST_SOURCES + 1).fill(1);
+  for (let m = 1; m <= 2 * MOST_SOURCES; m++) c[m] = (c[m - 1]! * (m + n - 1)) / m;
+  const out = new Float64Array(4 * (MOST_SOURCES + 1));
+  for (let count = 1; count <= MOST_SOURCES; count++) {
     for (let j = 0; j <= Math.min(3, 2 * count); j++) {
       out[4 * count + j] = SHARES[count]! * bends[j]! * c[2 * count - j]!;
     }
@@ -140,8 +138,12 @@ function errors(bends: Float64Array, n: number): Float64Array {
   return out;
 }
 
+/** |w⁽ʲ⁾| l^j / j! in parts of `most`, the largest |w|. */
+export const bendsOf = (frame: Pick<LineFrame, 'weights' | 'length'>, most: number): Float64Array =>
+  Float64Array.from(frame.weights, (_, j) => (j === 0 ? 1 : bend(frame, j) / most));
+
 /** Σ C(k, j) |w_k| l^k, not less than |w⁽ʲ⁾| l^j / j! on the line. */
-function bend({ weights, length }: LineFrame, j: number): number {
+function bend({ weights, length }: Pick<LineFrame, 'weights' | 'length'>, j: number): number {
   let sum = 0;
   let choose = 1;
   let power = 1;

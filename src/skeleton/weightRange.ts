@@ -10,7 +10,7 @@ export interface WeightRange {
   readonly evenness: number;
 }
 
-export function weightRange({ weights: w, length: l }: LineFrame): WeightRange {
+export function weightRange({ weights: w, length: l }: Pick<LineFrame, 'weights' | 'length'>): WeightRange {
   const [a0, a1, a2, a3] = [w[0]!, w[1]! * l, w[2]! * l * l, w[3]! * l * l * l];
   const b = [a0, a0 + a1 / 3, a0 + (2 * a1 + a2) / 3, a0 + a1 + a2 + a3];
   const [low, high] = [Math.min(...b), Math.max(...b)];

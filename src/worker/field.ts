@@ -8,7 +8,15 @@ import { bindField } from '../field/bind.ts';
 import { brickBox } from '../field/bricks.ts';
 import { DRAFT, type FromWorker, type Made, type Make, type ToWorker } from '../field/fieldWork.ts';
 import { LiveField, type LiveStep } from '../field/liveField.ts';
-import { type Located, locating, type Polygonized, polygonizing } from '../field/polygonize.ts';
+import {
+  type Fitted,
+  type Located,
+  latticed,
+  locating,
+  type Polygonized,
+  polygonizing,
+} from '../field/polygonize.ts';
+import { cullsOnDevice } from '../gpu/bricks/cullsOnDevice.ts';
 import { packBricks } from '../gpu/polygonize/lists.ts';
 import { packEdit } from '../gpu/polygonize/packEdit.ts';
 import { gpuWork } from '../gpu/polygonize/work.ts';
@@ -79,12 +87,15 @@ function isEditOfKept({ name, resolution, mesh, node, isHeld }: Make): boolean {
   return onPage?.field.isEdit(node) ?? false;
 }
 
-/** A mesh; or, where the page makes it, the bricks of it. */
+/**
+ * A mesh; or, where the page makes it, the bricks of it, or the lattice alone where devices find the bricks. Of what
+ * is edited the page keeps them.
+ */
 function* stepping(
   { mesh, node, name }: Make,
   cells: number,
   isDraft: boolean,
-): Generator<number, Meshed | Located | LiveStep> {
+): Generator<number, Meshed | Located | LiveStep | Fitted> {
   if (name !== null && !isDraft) {
     if (mesh === 'page') {
       onPage ??= { name, cells, field: new LiveField(cells, true) };
@@ -96,6 +107,7 @@ function* stepping(
   }
   const field = bindField(node);
   if (mesh === 'worker') return yield* polygonizing(field, cells);
+  if (cullsOnDevice(node)) return yield* latticed(field, cells);
   return yield* locating(field, cells);
 }
 
@@ -136,7 +148,12 @@ function handed({ mesh, bricks, evaluations, isEdit = false }: Meshed, rest: Res
 }
 
 /** Edits of what the page has are no more than what they made anew. */
-function handedBricks(step: Located | LiveStep, { node }: Make, rest: Rest): Handed {
+function handedBricks(step: Located | LiveStep | Fitted, { node }: Make, rest: Rest): Handed {
+  if (!('bricks' in step)) {
+    const { box, lattice, tally } = step;
+    const facts = { box, lattice, isKept: false, evaluations: tally.work, workAVertex: 0 };
+    return [{ type: 'bricks', node, bricks: null, ...facts, ...rest() }, []];
+  }
   const { bricks, tally } = step;
   const isKept = 'renewed' in step;
   const isEdit = isKept && step.isEdit && !step.isGrown;

@@ -3,6 +3,7 @@
  */
 import { create } from 'webgpu';
 import { openDevice } from '../../src/gpu/device.ts';
+import { timeCulling } from './gpuCulling.ts';
 import { timeKravtsov, timePolygonizer } from './gpuPolygonize.ts';
 import { timePolygons } from './gpuPolygons.ts';
 import { timeSkels } from './gpuSkels.ts';
@@ -13,6 +14,7 @@ const TABLES: Readonly<Record<string, (device: GPUDevice) => Promise<void>>> = {
   polygons: timePolygons,
   trees: timeTrees,
   polygonizer: timePolygonizer,
+  culling: timeCulling,
   kravtsov: timeKravtsov,
 };
 

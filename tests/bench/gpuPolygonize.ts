@@ -84,7 +84,7 @@ function located(node: FieldNode, cells: number): Located {
 /** Values come back, as from any field; that is a small part of it. */
 async function denseTime(device: GPUDevice): Promise<number> {
   const { bound, pipeline } = await valueOnly(device, NODE);
-  const some = layersOf(LATTICE);
+  const some = layersOf(LATTICE, LAYERS);
   // the first run compiles on some drivers
   await dispatch(device, bound, pipeline, some.subarray(0, 3));
   const { ms } = await least(1, () => dispatch(device, bound, pipeline, some));
@@ -92,13 +92,13 @@ async function denseTime(device: GPUDevice): Promise<number> {
   return (ms * 3 * nodeCount(LATTICE)) / some.length;
 }
 
-/** x, y, z of the nodes of some layers. */
-function layersOf({ origin, step, counts }: Lattice): Float32Array {
+/** x, y, z of the nodes of one layer in so many. */
+export function layersOf({ origin, step, counts }: Lattice, every: number): Float32Array {
   const [nx, ny, nz] = counts;
-  const layers = Math.ceil(nz / LAYERS);
+  const layers = Math.ceil(nz / every);
   return Float32Array.from({ length: 3 * nx * ny * layers }, (_, i) => {
     const node = Math.floor(i / 3);
-    const at = [node % nx, Math.floor(node / nx) % ny, LAYERS * Math.floor(node / (nx * ny))];
+    const at = [node % nx, Math.floor(node / nx) % ny, every * Math.floor(node / (nx * ny))];
     return origin[i % 3]! + at[i % 3]! * step;
   });
 }
@@ -147,7 +147,7 @@ function errorsOf(positions: Float32Array): Float64Array {
 }
 
 /** Least milliseconds of so many rounds, after one that does not count where there are several. */
-async function least<T>(rounds: number, work: () => Promise<T>): Promise<{ ms: number; result: T }> {
+export async function least<T>(rounds: number, work: () => Promise<T>): Promise<{ ms: number; result: T }> {
   let result = rounds > 1 ? await work() : null;
   let ms = Infinity;
   for (let round = 0; round < rounds; round++) {

@@ -24,8 +24,7 @@ const wish = (id: number, more: Partial<Make> = {}) =>
 const of = (id: number) => heard.filter((message) => message.id === id);
 /** about a body, of whole bricks: there is one of air around it, and a node more than cells */
 const cellsOf = (step: Made | Located) => {
-  const { counts } = step.lattice;
-  return Math.max(...counts) - 5;
+  return Math.max(...step.lattice.counts) - 5;
 };
 const made = (id: number) =>
   vi.waitFor(() => {
@@ -137,22 +136,57 @@ describe('the worker', () => {
     await made(7);
   });
 
-  test('hands bricks to a page that makes the mesh, coarse ones first, each with its box', async () => {
-    wish(8, { mesh: 'page', resolution: 104 });
+  /** The same; but plates of singular kernels are the worker's to cull. */
+  const mixed: FieldNode = {
+    type: 'morph',
+    from: sphere,
+    to: {
+      ...body([
+        {
+          skel: {
+            type: 'polygon',
+            origin: [0, 0, 0],
+            u: [1, 0, 0],
+            v: [0, 1, 0],
+            loops: [
+              [
+                [0, 0],
+                [9, 0],
+                [0, 9],
+              ],
+            ],
+            weight: 1,
+          },
+        },
+      ]),
+      kernel: 'inverseCubic',
+      params: {},
+    },
+    t: 0,
+  };
+
+  test.each([
+    ['bricks', mixed],
+    ['the lattice, where devices find the bricks,', sphere],
+  ])('hands %s to a page that makes the mesh, coarse ones first, each with its box', async (_, tree) => {
+    const id = tree === sphere ? 9 : 8;
+    wish(id, { mesh: 'page', resolution: 104, node: tree });
     const all = await vi.waitFor(() => {
-      const found = of(8).filter((message) => message.type === 'bricks');
+      const found = of(id).filter((message) => message.type === 'bricks');
       expect(found.at(-1)).toMatchObject({ draft: false });
       return found;
     }, 15_000);
-    expect(of(8).some(({ type }) => type === 'made')).toBe(false);
+    expect(of(id).some(({ type }) => type === 'made')).toBe(false);
     expect(all.map(cellsOf)).toEqual([28, 52, 104]);
     for (const { bricks, box, node } of all) {
-      expect(node).toEqual(sphere);
+      expect(node).toEqual(tree);
       for (const axis of [0, 1, 2] as const) {
-        expect(box.min[axis]).toBeLessThanOrEqual(-10);
-        expect(box.max[axis]).toBeGreaterThanOrEqual(10);
+        expect(box.min[axis]).toBeLessThan(-10 + 1e-9);
+        expect(box.max[axis]).toBeGreaterThan(10 - 1e-9);
         expect(box.max[axis] - box.min[axis]).toBeLessThan(1.1 * 20);
       }
+      expect(bricks === null).toBe(tree === sphere);
+      if (!bricks) continue;
       // the surface is in none of the others
       const { count } = bricks as PackedBricks;
       expect([...bricks.grid].filter((place) => place >= 0).length).toBe(count);
@@ -161,11 +195,36 @@ describe('the worker', () => {
   });
 
   test('says of bricks whether edges are in them', async () => {
+    // plates of singular kernels are not the device's to find
+    const corners = [
+      [-5, -5],
+      [5, -5],
+      [5, 5],
+      [-5, 5],
+    ] as const;
+    const plate: FieldNode = {
+      type: 'skels',
+      kernel: 'inverse',
+      params: {},
+      threshold: 12,
+      skels: [
+        {
+          skel: {
+            type: 'polygon',
+            origin: [0, 0, 0],
+            u: [1, 0, 0],
+            v: [0, 1, 0],
+            loops: [corners],
+            weight: 1,
+          },
+        },
+      ],
+    };
     const box: FieldNode = { type: 'shape', shape: { type: 'box', half: [10, 8, 6] } };
-    wish(9, { node: box, mesh: 'page' });
-    expect((await located(9)).hasCreases).toBe(true);
-    wish(10, { mesh: 'page' });
-    expect((await located(10)).hasCreases).toBe(false);
+    wish(12, { node: { type: 'union', form: 'hard', parts: [plate, box] }, mesh: 'page' });
+    expect((await located(12))!.hasCreases).toBe(true);
+    wish(13, { node: plate, mesh: 'page' });
+    expect((await located(13))!.hasCreases).toBe(false);
   });
 
   test('of a body that is edited what stays is kept, if the page says so', async () => {

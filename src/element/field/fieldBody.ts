@@ -160,13 +160,13 @@ export class FieldBody {
     return id === this.#latest ? performance.now() - this.#since : milliseconds;
   }
 
-  #hearDevice({ of, mesh, vertices, triangles, milliseconds, release }: MadeOnGpu): void {
+  #hearDevice({ of, mesh, vertices, triangles, work, milliseconds, release }: MadeOnGpu): void {
     if (!this.#isWelcome(of)) {
       release();
       return;
     }
     const { id, draft, lattice, workAVertex } = of;
-    const evaluations = of.evaluations + workAVertex * vertices;
+    const evaluations = of.evaluations + work + workAVertex * vertices;
     const facts = {
       lattice,
       evaluations,

@@ -1,5 +1,5 @@
 /**
- * Meshes on the graphics device, from the bricks that a worker sends: one after the other, and of those that wait only the latest; but edits
+ * Meshes on the graphics device, from the bricks or the lattice that a worker sends: one after the other, and of those that wait only the latest; but edits
  * follow each other, so that none of them is left out.
  * Meshes that are released give their buffers to those that come.
  */
@@ -14,6 +14,8 @@ export interface MadeOnGpu {
   readonly mesh: DeviceMesh;
   readonly vertices: number;
   readonly triangles: number;
+  /** what the device asked of skels where it found the bricks itself, else 0 */
+  readonly work: number;
   /** on the page */
   readonly milliseconds: number;
   /** Once, when nothing draws it any more. */
@@ -81,20 +83,22 @@ export class FieldOnGpu {
   async #made(of: Located, edits: readonly Located[]): Promise<MadeOnGpu> {
     const start = performance.now();
     const mesh = await (edits.length > 0 ? this.#edited(edits) : this.#whole(of));
-    const size = await mesh.needed();
+    const { vertices, triangles, work } = await mesh.needed();
     const { positions, normals, colours, indices, draw } = mesh;
     return {
       of,
       mesh: { positions, normals, colours, indices, draw, box: of.box },
-      ...size,
+      vertices,
+      triangles,
+      work,
       milliseconds: performance.now() - start,
       release: () => mesh.destroy(),
     };
   }
 
-  async #whole({ node, bricks }: Located): Promise<GpuMesh> {
-    if ('renewed' in bricks) throw new Error('an edit of nothing');
-    return this.#polygonizer.whole(node, bricks);
+  async #whole({ node, bricks, lattice }: Located): Promise<GpuMesh> {
+    if (bricks && 'renewed' in bricks) throw new Error('an edit of nothing');
+    return this.#polygonizer.whole(node, bricks ?? lattice);
   }
 
   /** The last of them. */
@@ -102,8 +106,8 @@ export class FieldOnGpu {
     const [first, ...rest] = all;
     const last = all.at(-1)!;
     const edits = (of: readonly Located[]) =>
-      of.flatMap(({ bricks }) => ('renewed' in bricks ? [bricks] : []));
-    if (!first || 'renewed' in first.bricks) return this.#live.edit(last.node, edits(all));
+      of.flatMap(({ bricks }) => (bricks && 'renewed' in bricks ? [bricks] : []));
+    if (!first?.bricks || 'renewed' in first.bricks) return this.#live.edit(last.node, edits(all));
     const whole = await this.#live.whole(first.node, first.bricks);
     if (rest.length === 0) return whole;
     whole.destroy();
@@ -111,4 +115,4 @@ export class FieldOnGpu {
   }
 }
 
-const isEdit = ({ bricks }: Located): boolean => 'renewed' in bricks;
+const isEdit = ({ bricks }: Located): boolean => bricks !== null && 'renewed' in bricks;

@@ -22,7 +22,9 @@ import {
 } from './stages.ts';
 
 /** By the names that STAGES binds. */
-export type Bound = Readonly<Record<string, Slice>>;
+export type Bound = Readonly<Record<string, Slice>> & {
+  readonly brickGroups?: Slice & { readonly offset: number };
+};
 
 /** Per brick: 128 places for nodes, 64 cells. */
 export const NODES = 128;
@@ -44,8 +46,15 @@ export function uploadField(
     records: buffers.put('records', program.records, USAGE.storage),
     lists: buffers.put('lists', lists, USAGE.storage),
     grid: buffers.put('grid', grid, USAGE.storage),
-    lattice: putLattice(buffers, lattice, count, room),
-    values: buffers.get('values', 4 * NODES * roomsOf(count), USAGE.storage | USAGE.copySource),
+    ...latticeBuffers(buffers, lattice, count, room),
+  };
+}
+
+/** The lattice, whose active bricks may be the device's to count, and room for values in so many. RangeError for one without whole bricks. */
+export function latticeBuffers(buffers: Buffers, lattice: Lattice, bricks: number, room: Capacity): Bound {
+  return {
+    lattice: putLattice(buffers, lattice, bricks, room),
+    values: buffers.get('values', 4 * NODES * roomsOf(bricks), USAGE.storage | USAGE.copySource),
   };
 }
 
@@ -57,7 +66,7 @@ export function putLattice(buffers: Buffers, lattice: Lattice, count: number, ro
   const { origin, step } = lattice;
   const capacities = [room.vertices, 3 * room.triangles, cellsOf(room), 0];
   const header = LATTICE.pack([{ origin, step, bricks: [...along, count], capacities }]);
-  return buffers.put('lattice', header, USAGE.uniform);
+  return buffers.put('lattice', header, USAGE.uniform | USAGE.storage);
 }
 
 /** What lies between the stages. */
@@ -92,7 +101,7 @@ export function creaseBuffers(buffers: Buffers, room: Capacity): Bound {
 const roomsOf = (bricks: number) => Math.max(1, bricks);
 const cellsOf = ({ vertices }: Capacity) => Math.ceil(CELLS_A_VERTEX * vertices);
 
-/** The values at all nodes of so many active bricks. */
+/** The values at all nodes of so many active bricks; of `brickGroups` where the device counts them. */
 export function encodeField(
   device: GPUDevice,
   pass: GPUComputePassEncoder,
@@ -103,7 +112,7 @@ export function encodeField(
   if (bricks === 0) return;
   for (const name of ['nodes', 'share'] as const) {
     bind(device, pass, stages, name, bound);
-    pass.dispatchWorkgroups(...groupsOf(bricks));
+    dispatchBricks(pass, bound, bricks);
   }
 }
 
@@ -115,17 +124,16 @@ export function encodeMesh(
   bound: Bound & Outputs,
   bricks: number,
 ) {
-  const groups = groupsOf(roomsOf(bricks));
   const start = (name: StageName | CreaseStageName) => bind(device, pass, stages, name, bound);
   start('classify');
-  pass.dispatchWorkgroups(...groups);
+  dispatchBricks(pass, bound, roomsOf(bricks));
   start('number');
   pass.dispatchWorkgroups(Math.ceil(roomsOf(bricks) / 64));
   stages.scan.encode(pass, bound.counts!, bound.totals!);
   start('plan');
   pass.dispatchWorkgroups(1);
   start('compact');
-  pass.dispatchWorkgroups(...groups);
+  dispatchBricks(pass, bound, roomsOf(bricks));
   bind(device, pass, stages, 'vertices', { ...bound, span: bound.edgeSpan! });
   pass.dispatchWorkgroupsIndirect(bound.dispatches!.buffer, 0);
   if (stages.creases) encodeCreases(device, pass, stages, bound);
@@ -176,6 +184,12 @@ function bind(
   pass.setPipeline(pipeline);
   group(0, ALL_STAGES[name]);
   if (EVALUATING.includes(name)) group(1, { records: 0, lists: 1 });
+}
+
+/** A group a brick: `bricks` of them, or as many as the device has found (src/gpu/bricks). */
+function dispatchBricks(pass: GPUComputePassEncoder, { brickGroups }: Bound, bricks: number): void {
+  if (brickGroups) pass.dispatchWorkgroupsIndirect(brickGroups.buffer, brickGroups.offset);
+  else pass.dispatchWorkgroups(...groupsOf(bricks));
 }
 
 /** In rows that no device refuses. */

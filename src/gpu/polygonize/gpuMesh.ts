@@ -1,5 +1,6 @@
 /** A mesh that lives on the GPU: how large it is only the device knows until it is asked. */
 import type { FieldMesh } from '../../field/brickMesh.ts';
+import { COUNTERS, type LevelRoom, neededRooms, overflows, workOf } from '../bricks/levels.ts';
 import { type Buffers, type readBack, type Slice, USAGE } from './buffers.ts';
 import { creasedMesh } from './creasedMesh.ts';
 
@@ -7,6 +8,13 @@ import { creasedMesh } from './creasedMesh.ts';
 export interface Capacity {
   readonly vertices: number;
   readonly triangles: number;
+}
+
+export interface Needed extends Capacity {
+  /** cubes and entries of each level of bricks that the device culls, where it did */
+  readonly bricks: readonly LevelRoom[];
+  /** what that took with all that came after, in values of one skel at one point, nearly; 0 for bricks that were given */
+  readonly work: number;
 }
 
 export interface GpuMesh {
@@ -24,8 +32,8 @@ export interface GpuMesh {
   readonly room: Capacity;
   /** Whether there was not room enough: the mesh is empty then. */
   overflowed(): Promise<boolean>;
-  /** How large it is, or would have to be. */
-  needed(): Promise<Capacity>;
+  /** How large it is, or would have to be; of bricks that there was no room for only these are known. */
+  needed(): Promise<Needed>;
   /** All of it, without what was counted for points on creases that are none. Rejects for one that overflowed. */
   read(): Promise<FieldMesh>;
   /** Gives the buffers to meshes that come later. */
@@ -41,6 +49,8 @@ export interface Outputs {
   readonly draw: Slice;
   /** as State in shaders/polygonize/state.wgsl */
   readonly state: Slice;
+  /** of bricks that the device culls: cubes and rows of each level */
+  readonly counters: Slice;
 }
 
 export function outputs(buffers: Buffers, { vertices, triangles }: Capacity): Outputs {
@@ -53,26 +63,33 @@ export function outputs(buffers: Buffers, { vertices, triangles }: Capacity): Ou
     indices: buffers.get('indices', 12 * triangles, shared | USAGE.index),
     draw: buffers.get('draw', 20, shared | USAGE.indirect),
     state: buffers.get('state', 32, shared | USAGE.uniform),
+    counters: buffers.put('counters', new Uint32Array(COUNTERS), shared),
   };
 }
 
-/** `read`: bytes of buffers, or why there are none. */
+/** `read`: bytes of buffers, or why there are none. `rooms`: of the levels of bricks, where the device culls. */
 export function gpuMesh(
-  { positions, normals, colours, indices, draw, state }: Outputs,
+  { positions, normals, colours, indices, draw, state, counters: counts }: Outputs,
   read: (slices: readonly Slice[]) => ReturnType<typeof readBack>,
   giveBack: () => void,
+  rooms: readonly LevelRoom[] = [],
 ): GpuMesh {
   let isGone = false;
   const found = async () => {
     if (isGone) throw new Error('the mesh was given back');
-    const [bytes] = await read([state]);
+    const [bytes, counted] = await read([state, counts]);
     const [edges, , triangles, middles, overflow, loops, copies] = new Uint32Array(bytes!);
+    const counters = new Uint32Array(counted!);
+    const bricks = neededRooms(counters);
+    const vertices = edges! + middles! + copies!;
     return {
-      vertices: edges! + middles! + copies!,
+      vertices,
       // two more around each point than in its loop
       triangles: triangles! + 2 * loops!,
       hasCreases: loops! > 0,
-      overflowed: overflow !== 0,
+      bricks,
+      work: workOf(counters, vertices),
+      overflowed: overflow !== 0 || overflows(rooms, bricks),
     };
   };
   return {

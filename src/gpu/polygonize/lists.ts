@@ -65,17 +65,24 @@ interface SumLeaf {
   readonly threshold: number;
 }
 
-/** In the program's order. Records are written in the tree's order, which is how steps know their leaves. */
+/** In the program's order. */
 function sumsOf({ steps, records }: Program): readonly SumLeaf[] {
-  const leaves = steps.filter(({ take }) => take !== TAKE.STACK);
-  const places = leaves.map(({ at }) => at).sort((a, b) => a - b);
-  const leafAt = new Map(places.map((at, leaf) => [at, leaf]));
-  return leaves
+  const leaves = leavesOf(steps);
+  return steps
+    .map(({ take, at }, i) => ({ take, at, leaf: leaves[i]! }))
     .filter(({ take }) => take === TAKE.SUM)
-    .map(({ at }) => {
-      const { threshold } = SUM.read(new DataView(records, 16 * at, SUM.stride), 0);
-      return { leaf: leafAt.get(at)!, threshold };
-    });
+    .map(({ at, leaf }) => ({
+      leaf,
+      threshold: SUM.read(new DataView(records, 16 * at, SUM.stride), 0).threshold,
+    }));
+}
+
+/** Of each step the number of its leaf in the tree, −1 for the stack: records are written in the tree's order. */
+export function leavesOf(steps: Program['steps']): readonly number[] {
+  const own = steps.filter(({ take }) => take !== TAKE.STACK);
+  const places = own.map(({ at }) => at).sort((a, b) => a - b);
+  const leafAt = new Map(places.map((at, leaf) => [at, leaf]));
+  return steps.map(({ take, at }) => (take === TAKE.STACK ? -1 : leafAt.get(at)!));
 }
 
 function addEntries(rows: Rows, sums: readonly SumLeaf[], found: readonly (NearLeaf | null)[]) {

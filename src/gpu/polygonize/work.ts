@@ -17,7 +17,7 @@ export interface GpuWork {
 }
 
 /** Newton's steps of nearly all vertices, each with a gradient, and a value for the colour (shaders/polygonize/crossing.wgsl). */
-const ASKED_A_VERTEX = 2 * WITH_GRADIENT + 1;
+export const ASKED_A_VERTEX = 2 * WITH_GRADIENT + 1;
 
 const SAME_CORNERS = inCommon(SIDE);
 

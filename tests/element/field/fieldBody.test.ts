@@ -75,7 +75,7 @@ const destroyed = vi.fn();
 function polygonizer(): GpuPolygonizer {
   const whole = (node: FieldNode) =>
     new Promise<GpuMesh>((resolve, reject) => {
-      const needed = async () => ({ vertices: 30, triangles: 50 });
+      const needed = async () => ({ vertices: 30, triangles: 50, bricks: [], work: 20 });
       const mesh = { draw: {}, needed, destroy: vi.fn() } as unknown as Asked['mesh'];
       asked.push({ node, mesh, resolve: () => resolve(mesh), reject });
     });
@@ -119,7 +119,7 @@ describe('meshes on the device', () => {
     expect(body).toMatchObject({ made: null, progress: 0 });
     await answered(0);
     expect(body).toMatchObject({ made: { id: 1, vertices: 30, triangles: 50 }, progress: null });
-    expect(body.made).toMatchObject({ mesh: { box: { min: [-1, 0, 0] } }, evaluations: 100 + 10 * 30 });
+    expect(body.made).toMatchObject({ mesh: { box: { min: [-1, 0, 0] } }, evaluations: 100 + 20 + 10 * 30 });
     expect(body.made!.maker).toContain('GPU');
   });
 

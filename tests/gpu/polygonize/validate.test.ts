@@ -1,6 +1,7 @@
 /** The stages are valid WGSL within the limits that every device has: on Dawn's null backend, which needs no driver. */
 import { afterAll, describe, expect, it } from 'vitest';
 import { create } from 'webgpu';
+import { brickStagesOn } from '../../../src/gpu/bricks/stages.ts';
 import { noIngredients } from '../../../src/gpu/ingredients.ts';
 import { stagesOn } from '../../../src/gpu/polygonize/stages.ts';
 import { EVERYTHING } from '../everything.ts';
@@ -36,7 +37,7 @@ describe('the stages of the polygonizer on the null backend', () => {
     ],
   ])('are valid for %s', async (_, ingredients, hasCreases) => {
     device!.pushErrorScope('validation');
-    await stagesOn(device!)(ingredients, hasCreases);
+    await Promise.all([stagesOn(device!)(ingredients, hasCreases), brickStagesOn(device!)(ingredients)]);
     expect((await device!.popErrorScope())?.message ?? null).toBeNull();
   });
 });
