@@ -8,10 +8,12 @@ import {
   type Corners,
   type Near,
   type NearLeaf,
+  type Ray,
   rangesApart,
   type Tally,
   type Way,
 } from './near.ts';
+import { clearAlong, rangeAlong } from './cubeSight.ts';
 import type { Colour } from './node.ts';
 import type { TreeField } from './treeField.ts';
 
@@ -26,7 +28,8 @@ export function nearShape(
   const first = tally.branches;
   tally.branches += facets?.count ?? 1;
   const leaf = tally.leaves++;
-  return new NearShape({ field, colour, facets, frame, tally, leaf, first }, -Infinity, Infinity);
+  const sight = { ray: AHEAD, at: new Float64Array(3), first: 0 };
+  return new NearShape({ field, colour, facets, frame, tally, leaf, first, sight }, -Infinity, Infinity);
 }
 
 interface Whole {
@@ -38,9 +41,14 @@ interface Whole {
   readonly leaf: number;
   /** number of the first branch */
   readonly first: number;
+  /** the last look along a ray */
+  readonly sight: { ray: Ray; readonly at: Float64Array; first: number };
 }
 
 const range = new Float64Array(2);
+const AHEAD: Ray = [1, 0, 0];
+/** of a distance: the cube around so much of a ray mostly holds no surface */
+const NEARER = 0.7;
 
 class NearShape implements Near {
   readonly low: number;
@@ -111,6 +119,31 @@ class NearShape implements Near {
     this.#whole.field.range(x, y, z, half, range);
     return new NearShape(this.#whole, range[0]!, range[1]!);
   }
+
+  /** Distances tell how far it is at least; the first of two tries. */
+  look(ray: Ray, x: number, y: number, z: number, reach: number): number {
+    const { sight, frame } = this.#whole;
+    const value = this.value(x, y, z);
+    sight.ray = ray;
+    sight.at.set([x, y, z]);
+    sight.first = Math.min(reach, (NEARER * Math.abs(value)) / (frame?.scale ?? 1));
+    return value;
+  }
+
+  clear(): number {
+    const { at, ray, first } = this.#whole.sight;
+    return clearAlong(this.#range, at, ray, first);
+  }
+
+  ahead(t: number, out: Float64Array): void {
+    const { at, ray } = this.#whole.sight;
+    rangeAlong(this.#range, at, ray, t, out);
+  }
+
+  readonly #range = (x: number, y: number, z: number, half: number, out: Float64Array): void => {
+    this.#whole.tally.work += 1;
+    this.#whole.field.range(x, y, z, half, out);
+  };
 
   corners(nodes: Corners, out: Float64Array): number {
     return nodes.exact(this, out);

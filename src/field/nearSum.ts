@@ -20,11 +20,13 @@ import {
   type LeafChange,
   type Near,
   type NearLeaf,
+  type Ray,
   rangesApart,
   type Tally,
   type Way,
 } from './near.ts';
 import { type Colour, commonColour } from './node.ts';
+import { SumSight } from './sumSight.ts';
 
 /** A term with its number in the sum. */
 interface NearTerm extends BoundTerm {
@@ -45,6 +47,7 @@ interface Whole {
   /** of all terms, where they have one */
   readonly plain: Colour | null;
   readonly first: Colour;
+  readonly sight: SumSight;
 }
 
 /** of what is added up */
@@ -81,6 +84,7 @@ export function nearSum(
     tally,
     plain,
     first: terms[0]!.colour,
+    sight: new SumSight(frame, tally),
   };
   const taylor = new Float64Array(TAYLOR);
   taylor[0] = -threshold;
@@ -174,6 +178,18 @@ class NearSum implements Near {
   get leaves(): readonly [number, number] {
     const { leaf } = this.#whole;
     return [leaf, leaf + 1];
+  }
+
+  look(ray: Ray, x: number, y: number, z: number, reach: number): number {
+    return this.#whole.sight.look(this.#terms, this.#far, ray, x, y, z, reach);
+  }
+
+  clear(): number {
+    return this.#whole.sight.clear(this);
+  }
+
+  ahead(t: number, out: Float64Array): void {
+    this.#whole.sight.range(this, t, out);
   }
 
   /** Of what came less what went: moved a little, both hardly differ. */

@@ -2,6 +2,7 @@
 
 import { scale3 as scaled } from '../math/tuple.ts';
 import type { Vec3 } from '../math/vec.ts';
+import { AHEAD, type Ahead, BEND, clearAhead, LOOSE, POWER, WIDTH } from '../skeleton/ahead.ts';
 import { type Box, type FieldValue, type SkelField, SPREAD, type Spread } from '../skeleton/skeleton.ts';
 import { addMapped, TAYLOR, type Taylor } from '../skeleton/taylor.ts';
 import { type Affine, mappedBox } from './affine.ts';
@@ -45,6 +46,7 @@ export class Warped implements SkelField {
   readonly #move = new Float64Array(2);
   readonly box: Box;
   readonly #local = new Float64Array(TAYLOR);
+  readonly #ahead = new Float64Array(AHEAD);
 
   constructor(skel: SkelField, frame: Frame, section: Section, bx: number, by: number) {
     this.#skel = skel;
@@ -100,6 +102,36 @@ export class Warped implements SkelField {
     this.#see(x, y, z, radius);
     const missed = this.#skel.missed(seen.x, seen.y, seen.z, seen.reach, most);
     return seen.isLinear || missed === 0 ? missed : Infinity;
+  }
+
+  /** By what derivatives and bends of the map come to, up to half the way to the axis. */
+  ahead(x: number, y: number, z: number, along: number, factor: number, out: Ahead): void {
+    this.#see(x, y, z, 0);
+    const reach = Math.min(along, 0.5 * Math.hypot(seen.qx, seen.qy) * Math.min(this.#bx, this.#by));
+    this.#see(x, y, z, reach);
+    this.add(x, y, z, factor, out);
+    const by = this.#steepest() + (seen.bend > 0 ? seen.bend / reach : 0);
+    if (!(reach > 0 && by < Infinity)) {
+      out[WIDTH] = 0;
+      return;
+    }
+    const local = this.#ahead;
+    clearAhead(local);
+    this.#skel.ahead(seen.x, seen.y, seen.z, by * reach, factor, local);
+    const across = Math.sqrt(local[1]! * local[1]! + local[2]! * local[2]!);
+    out[LOOSE] = out[LOOSE]! + local[LOOSE]! * by * by;
+    out[BEND] = out[BEND]! + local[BEND]! * by * by + (2 * across * seen.bend) / (reach * reach);
+    out[WIDTH] = Math.min(out[WIDTH]!, local[WIDTH]! / by, reach < along ? reach : Infinity);
+    if (local[LOOSE]! > 0) out[POWER] = local[POWER]!;
+  }
+
+  /** How far the map stretches at the place seen, at most. */
+  #steepest(): number {
+    const [m, mx, my] = [this.#stretch[0]!, this.#stretch[1]!, this.#stretch[2]!];
+    const { qx, qy } = seen;
+    const x = [(m + qx * mx) / this.#bx, (qx * my) / this.#by];
+    const y = [(qy * mx) / this.#bx, (m + qy * my) / this.#by];
+    return Math.max(Math.sqrt([...x, ...y].reduce((sum, d) => sum + d * d, 0)), 1);
   }
 
   apart(): number {

@@ -133,6 +133,7 @@ function bind(skel: PolygonSkel, kernel: Kernel, params: KernelParams): SkelFiel
       spreader.add(field, x, y, z, radius, scale, out);
     },
     missed: (x, y, z, radius, most) => spreader.missed(x, y, z, radius, most),
+    ahead: (x, y, z, along, scale, out) => spreader.ahead(field, x, y, z, along, scale, out),
     apart: () => Infinity,
     standIn: (x, y, z, radius, scale, out) => spreader.standIn(field, x, y, z, radius, scale, out),
   };

@@ -7,6 +7,7 @@
  */
 import { type Kernel, type KernelParams, LineFrame } from '../kernel/kernel.ts';
 import type { Vec3 } from '../math/vec.ts';
+import type { Ahead } from './ahead.ts';
 import { checkedParams, checkNumbers, checkPlaces, reach, SHORTEST, whole } from './binding.ts';
 import { boxOf } from './boxOf.ts';
 import { segmentSpreader } from './segmentSpread.ts';
@@ -46,6 +47,7 @@ const NOTHING = {
   spread: () => {},
   missed: () => 0,
   standIn: () => 0,
+  ahead: () => {},
   apart: () => Infinity,
 } as const;
 
@@ -118,6 +120,8 @@ class SegmentField implements SkelField {
         this.apart(other, x, y, z, radius),
       standIn: (x: number, y: number, z: number, radius: number, factor: number, out: Taylor) =>
         this.#spreader.standIn(quick, x, y, z, radius, factor, out),
+      ahead: (x: number, y: number, z: number, along: number, factor: number, out: Ahead) =>
+        this.#spreader.ahead(quick, x, y, z, along, factor, out),
       offset: (threshold: number) => this.offset(threshold),
       spread: (x: number, y: number, z: number, radius: number, factor: number, out: Spread) =>
         this.#spreader.add(quick, x, y, z, radius, factor, out),
@@ -152,6 +156,10 @@ class SegmentField implements SkelField {
 
   standIn(x: number, y: number, z: number, radius: number, factor: number, out: Taylor): number {
     return this.#spreader.standIn(this, x, y, z, radius, factor, out);
+  }
+
+  ahead(x: number, y: number, z: number, along: number, factor: number, out: Ahead): void {
+    this.#spreader.ahead(this, x, y, z, along, factor, out);
   }
 
   spread(x: number, y: number, z: number, radius: number, factor: number, out: Spread): void {

@@ -5,6 +5,7 @@
 
 import type { Kernel, KernelParams } from '../kernel/kernel.ts';
 import type { Vec3 } from '../math/vec.ts';
+import type { Ahead } from './ahead.ts';
 import type { Taylor } from './taylor.ts';
 
 /** [value, ∂x, ∂y, ∂z], mm and 1/mm; mutable: evaluators add to it. */
@@ -42,6 +43,8 @@ export interface SkelField {
   standIn(x: number, y: number, z: number, radius: number, factor: number, out: Taylor): number;
   /** By how much the field may differ from that of a skel that was moved or weighted a little otherwise, within `radius` mm; Infinity where that is not known. */
   apart(other: SkelField, x: number, y: number, z: number, radius: number): number;
+  /** Adds `factor` times value and gradient, and what bounds the field within `reach` mm of there (ahead.ts). */
+  ahead(x: number, y: number, z: number, reach: number, factor: number, out: Ahead): void;
   /** of the skel itself, without its field */
   readonly box: Box;
   /** mm from the skel beyond which |value| < `threshold`; 0 when it is nowhere larger (FIELD-NOTES §1, Z(17)–(19) corrected) */
