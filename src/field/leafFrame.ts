@@ -35,11 +35,7 @@ export class LeafFrame {
   /** A direction. */
   along([x, y, z]: Vec3): Vec3 {
     const m = this.back;
-    return [
-      m[0] * x + m[1] * y + m[2] * z,
-      m[4] * x + m[5] * y + m[6] * z,
-      m[8] * x + m[9] * y + m[10] * z,
-    ];
+    return [m[0] * x + m[1] * y + m[2] * z, m[4] * x + m[5] * y + m[6] * z, m[8] * x + m[9] * y + m[10] * z];
   }
 
   /** By how much the place of a point within `radius` of (x, y, z) is off when it is rounded. */

@@ -2,6 +2,7 @@
 import type { Facets } from '../shape/shape.ts';
 import type { FieldValue } from '../skeleton/skeleton.ts';
 import { WITH_GRADIENT } from '../skeleton/work.ts';
+import { clearAlong, rangeAlong } from './cubeSight.ts';
 import type { LeafFrame } from './leafFrame.ts';
 import {
   type Changes,
@@ -13,7 +14,6 @@ import {
   type Tally,
   type Way,
 } from './near.ts';
-import { clearAlong, rangeAlong } from './cubeSight.ts';
 import type { Colour } from './node.ts';
 import type { TreeField } from './treeField.ts';
 

@@ -59,11 +59,11 @@ export class RayWalk {
     this.#edge = BRICK * walked.bricks.lattice.step;
   }
 
-  /** From `from` on along the unit vector `ray`, no farther than `farthest` mm; false where the lattice is not met. */
-  begin(from: Vec3, ray: Vec3, farthest: number): boolean {
+  /** From `nearest` to `farthest` mm along the unit vector `ray` from `from`; false where the lattice is not met. */
+  begin(from: Vec3, ray: Vec3, nearest: number, farthest: number): boolean {
     this.#from = from;
     this.#ray = ray;
-    if (!this.#clip(farthest)) return false;
+    if (!this.#clip(nearest, farthest)) return false;
     const { lattice, counts } = this.#walked.bricks;
     for (let axis = 0; axis < 3; axis++) {
       const at = (from[axis]! + this.start * ray[axis]! - lattice.origin[axis]!) / this.#edge;
@@ -100,9 +100,9 @@ export class RayWalk {
   }
 
   /** The half cells at the border of the lattice are cut off, as they are of meshes. */
-  #clip(farthest: number): boolean {
+  #clip(nearest: number, farthest: number): boolean {
     const { lattice } = this.#walked.bricks;
-    let [start, end] = [0, farthest];
+    let [start, end] = [nearest, farthest];
     this.entered = -1;
     for (let axis = 0; axis < 3; axis++) {
       const low = lattice.origin[axis]! + 0.5 * lattice.step - this.#from[axis]!;

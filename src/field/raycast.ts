@@ -8,8 +8,8 @@
 import type { Vec3 } from '../math/vec.ts';
 import { INSIDE, OUTSIDE } from './bricks.ts';
 import type { Near, Tally } from './near.ts';
-import { RayWalk, type Walked, walked } from './rayWalk.ts';
 import type { Located } from './polygonize.ts';
+import { RayWalk, type Walked, walked } from './rayWalk.ts';
 
 /** of a pixel: shorter steps are none */
 const FINEST = 1 / 64;
@@ -26,6 +26,8 @@ export interface Ray {
   readonly from: Vec3;
   /** unit */
   readonly along: Vec3;
+  /** mm along it: where it begins, −Infinity for all of the line */
+  readonly nearest: number;
   /** mm: of a pixel where the ray begins, and more for each millimetre along it */
   readonly pixel: number;
   readonly growth: number;
@@ -70,7 +72,7 @@ export class Raycaster {
   cast(ray: Ray, farthest = Infinity): boolean {
     this.#ray = ray;
     const walk = this.#walk;
-    if (!walk.begin(ray.from, ray.along, farthest)) return false;
+    if (!walk.begin(ray.from, ray.along, ray.nearest, farthest)) return false;
     const { active } = this.#walked.bricks;
     // outside, where it comes in from beyond
     let isInside: boolean | null = walk.entered < 0 ? null : false;

@@ -103,15 +103,7 @@ export class Spreader {
   }
 
   /** What `ahead` of SkelField says. */
-  ahead(
-    field: Adding,
-    x: number,
-    y: number,
-    z: number,
-    reach: number,
-    factor: number,
-    out: Ahead,
-  ): void {
+  ahead(field: Adding, x: number, y: number, z: number, reach: number, factor: number, out: Ahead): void {
     if (this.#isNothing(x, y, z, reach)) return;
     const before = out[0]!;
     field.add(x, y, z, factor, out);
