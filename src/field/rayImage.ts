@@ -4,7 +4,7 @@ import type { Vec3 } from '../math/vec.ts';
 import { eyeDistance, rayAt } from '../stroke/plane.ts';
 import type { View } from '../stroke/stroke.ts';
 import type { Located } from './polygonize.ts';
-import { Raycaster } from './raycast.ts';
+import { type Ray, Raycaster } from './raycast.ts';
 
 /** What is looked at, and by how many rays. */
 export interface RayCamera {
@@ -60,15 +60,9 @@ function castInto(
   x: number,
   y: number,
 ) {
-  const { view, width, offset } = camera;
+  const { view, width } = camera;
   const at = 4 * (y * width + x);
-  const { origin, direction } = rayAt(view, camera, x + offset[0], y + offset[1]);
-  const pixel = view.height / camera.height;
-  const eye = eyeDistance(view);
-  // behind an eye nothing is seen; without one all is
-  const seen =
-    eye === null ? { nearest: -Infinity, pixel, growth: 0 } : { nearest: 0, pixel: 0, growth: pixel / eye };
-  const isHit = caster.cast({ from: origin, along: direction, ...seen });
+  const isHit = caster.cast(rayOf(camera, x, y));
   const { normal, colour, at: place } = caster.hit;
   if (!isHit) {
     surface[at + 3] = NOWHERE;
@@ -80,4 +74,16 @@ function castInto(
   colours[at + 3] = 1;
 }
 
-const back = ({ rotation }: View): Vec3 => rotate3(rotation, [0, 0, 1]);
+/** Through a pixel. */
+export function rayOf(camera: RayCamera, x: number, y: number): Ray {
+  const { view, offset } = camera;
+  const { origin, direction } = rayAt(view, camera, x + offset[0], y + offset[1]);
+  const pixel = view.height / camera.height;
+  const eye = eyeDistance(view);
+  // behind an eye nothing is seen; without one all is
+  const seen =
+    eye === null ? { nearest: -Infinity, pixel, growth: 0 } : { nearest: 0, pixel: 0, growth: pixel / eye };
+  return { from: origin, along: direction, ...seen };
+}
+
+export const back = ({ rotation }: View): Vec3 => rotate3(rotation, [0, 0, 1]);
