@@ -14,8 +14,8 @@ export const writtenView = ({ pivot, rotation, height, fov }: View): View => ({
 });
 
 export function writtenLook(look: Look): Look {
-  const { style, background, outline, grain, wireframe, grid, kernel, creases, overlaps } = look;
-  return { style, background, outline, grain, wireframe, grid, kernel, creases, overlaps };
+  const { style, mode, background, outline, grain, wireframe, grid, kernel, creases, overlaps } = look;
+  return { style, mode, background, outline, grain, wireframe, grid, kernel, creases, overlaps };
 }
 
 function writtenBrush({ colour, radius, pressure, caps, filter, levels }: Brush): Brush {

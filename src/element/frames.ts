@@ -4,6 +4,8 @@
  */
 import { draftSolids, type Solid, solids } from '../document/build.ts';
 import type { Document } from '../document/document.ts';
+import type { SceneItem } from '../scene/index.ts';
+import type { Look } from '../document/look.ts';
 import type { Session } from './session.ts';
 import { WORDS } from './words.ts';
 
@@ -22,6 +24,10 @@ export class Frames {
   fit = false;
   readonly #session: Session;
   readonly #drawn: () => void;
+  /** rises with every change of what the picture shows, but for the view */
+  version = 0;
+  #items: readonly SceneItem[] = [];
+  #look: Look | null = null;
   #asleep = false;
   #stale = true;
   /** of the request for the next one, or 0 */
@@ -68,7 +74,7 @@ export class Frames {
     this.#last = now;
     const moving = scene?.rig.update(seconds) ?? false;
     if (this.#stale && this.#due) this.#sync();
-    scene?.render();
+    if (!this.#exact(moving)) scene?.render();
     this.#drawn();
     if (moving || this.#stale) this.wake();
   }
@@ -77,12 +83,27 @@ export class Frames {
     const session = this.#session;
     this.#stale = false;
     this.#synced = performance.now();
-    session.scene?.sync(this.#solids(session.shown()).map(({ solid, preview }) => ({ ...solid, preview })));
+    const items = this.#solids(session.shown()).map(({ solid, preview }) => ({ ...solid, preview }));
+    if (!sameItems(items, this.#items)) this.version++;
+    this.#items = items;
+    session.scene?.sync(items);
     // Fitting needs the size of the picture as well as the parts.
     if (this.fit && session.scene && session.size.width > 1 && session.bodies.drafted) {
       this.fit = false;
       session.camera.showAll(false);
     }
+  }
+
+  /** Whether the surface itself is seen, and all is drawn. */
+  #exact(moving: boolean): boolean {
+    const { scene, exact, look, view, bodies } = this.#session;
+    if (!scene || look.mode !== 'exact' || moving || this.#stale || bodies.making) {
+      exact.rest();
+      return false;
+    }
+    if (look !== this.#look) this.version++;
+    this.#look = look;
+    return exact.frame({ scene, document: this.#session.shown(), view, version: this.version });
   }
 
   /** A preview that took long waits its turn: the pen has the time before it. */
@@ -115,3 +136,10 @@ export class Frames {
     }
   }
 }
+
+const sameItems = (a: readonly SceneItem[], b: readonly SceneItem[]): boolean =>
+  a.length === b.length &&
+  a.every(({ id, mesh, colour, preview }, i) => {
+    const other = b[i]!;
+    return other.id === id && other.mesh === mesh && other.colour === colour && other.preview === preview;
+  });

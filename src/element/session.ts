@@ -34,6 +34,7 @@ import { Bodies, type News } from './bodies.ts';
 import { CameraMoves } from './cameraMoves.ts';
 import { draftProblem } from './draftProblem.ts';
 import type { Cause } from './events.ts';
+import { Exact } from './exact.ts';
 import { Frames } from './frames.ts';
 import type { NoPicture } from './noPicture.ts';
 import { spoken } from './speech.ts';
@@ -93,6 +94,7 @@ export class Session implements Bench, Viewport {
   #lastView: View = FRONT_VIEW;
   readonly frames: Frames;
   readonly bodies = new Bodies((news) => this.#bodyNews(news));
+  readonly exact = new Exact(() => this.#exactNews());
   readonly #hooks: Hooks;
 
   constructor(hooks: Hooks) {
@@ -178,6 +180,12 @@ export class Session implements Bench, Viewport {
     this.update();
   }
 
+  /** There is more to be seen of it, or to be said. */
+  #exactNews(): void {
+    this.#hooks.changed();
+    this.frames.wake();
+  }
+
   #isNewProblem(node: FieldNode): boolean {
     return this.bodies.problem(node) !== null && !this.#told.has(node);
   }
@@ -241,6 +249,7 @@ export class Session implements Bench, Viewport {
     const same = known.length === this.selection.length && known.every((id, i) => id === this.selection[i]);
     if (same) return;
     this.selection = known;
+    this.frames.version++;
     this.scene?.select(known);
     this.update();
     this.#hooks.selected(known);
@@ -443,6 +452,7 @@ export class Session implements Bench, Viewport {
   attach(scene: Scene): void {
     if (this.scene !== scene) this.scene?.dispose();
     this.scene = scene;
+    this.frames.version++;
     scene.rig.setView(this.#lastView, false);
     scene.setLook(this.look);
     scene.select(this.selection);
@@ -451,6 +461,7 @@ export class Session implements Bench, Viewport {
 
   detach(): void {
     this.frames.stop();
+    this.exact.stop();
     this.#lastView = this.view;
     this.scene?.dispose();
     this.scene = null;

@@ -29,7 +29,10 @@ const FLAT = 0.5;
 const ALIKE = 0.02;
 
 /** The pixels at edges: of surfaces against others or against nothing, of colours, and where they are seen edge-on. Ascending. */
-export function edgesOf({ width, height, surface, colours }: RayImage, camera: RayCamera): Uint32Array {
+export function edgesOf(
+  { width, height, surface, colours }: RayImage,
+  camera: RayCamera,
+): Uint32Array<ArrayBuffer> {
   const found: number[] = [];
   const plane = new Planes(camera);
   for (let y = 0; y < height; y++) {

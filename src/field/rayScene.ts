@@ -25,8 +25,14 @@ interface Window {
   readonly bottom: number;
 }
 
+/** Whose arrays may be handed over. */
+export interface OwnImage extends RayImage {
+  readonly surface: Float32Array<ArrayBuffer>;
+  readonly colours: Float32Array<ArrayBuffer>;
+}
+
 /** Nothing anywhere. */
-export function emptyImage({ width, height }: Pick<RayCamera, 'width' | 'height'>): RayImage {
+export function emptyImage({ width, height }: Pick<RayCamera, 'width' | 'height'>): OwnImage {
   const surface = new Float32Array(4 * width * height);
   for (let at = 3; at < surface.length; at += 4) surface[at] = NOWHERE;
   return { width, height, surface, colours: new Float32Array(4 * width * height) };
@@ -42,7 +48,8 @@ export class SceneCaster {
 
   /** The rows in which there may be anything: from … to below …. */
   get rows(): readonly [from: number, to: number] {
-    const windows = this.#bodies.map(({ window }) => window);
+    const windows = this.#bodies.map(({ window }) => window).filter(({ left, right }) => left < right);
+    if (windows.length === 0) return [0, 0];
     return [Math.min(...windows.map(({ top }) => top)), Math.max(...windows.map(({ bottom }) => bottom))];
   }
 

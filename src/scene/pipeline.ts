@@ -175,7 +175,8 @@ export class Pipeline {
    */
   refine(camera: ViewCamera, view: View, image: SurfaceImage, { enough = 1, known = 1 } = {}): boolean {
     const refinement = this.#refinement;
-    if (refinement.count === 0 && !this.keep()) return false;
+    if (!refinement.isBegun && !this.keep()) return false;
+    refinement.isBegun = true;
     this.#image.put(image, this.#seam);
     this.#image.tell(this.parts.leaveOut(image.items));
     this.#image.pivot.value = viewZ(camera, view.pivot);

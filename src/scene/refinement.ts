@@ -14,6 +14,8 @@ import { makeOutput } from './targets.ts';
 export class Refinement {
   /** pictures in the mean */
   count = 0;
+  /** the picture that is seen through it is kept */
+  isBegun = false;
   readonly sample: RenderTarget = makeOutput();
   readonly mean: RenderTarget = makeOutput(HalfFloatType);
   readonly shown: NodeMaterial;
@@ -45,6 +47,7 @@ export class Refinement {
   end(): void {
     if (this.count > 0) this.resize(1, 1);
     this.count = 0;
+    this.isBegun = false;
   }
 
   dispose(): void {

@@ -1,0 +1,203 @@
+/**
+ * The exact surface of bodies in the picture. While anything moves their meshes are seen; where all rests rays are cast beside the page, and
+ * their image takes the place of the meshes row by row, then gets smoother edges. Any change gives it up at once.
+ */
+import { CELLS } from '../document/bodies.ts';
+import { type BodyPart, type Document, isBody } from '../document/document.ts';
+import type { ExactBody } from '../field/exactWork.ts';
+import type { FieldNode } from '../field/node.ts';
+import { OFFSETS } from '../field/rayEdges.ts';
+import type { RayCamera } from '../field/rayImage.ts';
+import type { Scene, SurfaceImage } from '../scene/index.ts';
+import type { View } from '../stroke/stroke.ts';
+import { ExactImages } from './exactImages.ts';
+import { RayWorker } from './rayWorker.ts';
+
+/** ms without a change until rays are cast, or until what was cast is shown again */
+const REST = 120;
+/** images after which nothing of the meshes is seen any more: fewer leave edges jagged */
+const ENOUGH = 4;
+/** rays a picture: larger ones have a ray for several pixels */
+const MOST_RAYS = 2.4e6;
+
+const MIDDLE = [0.5, 0.5] as const;
+
+/** What is on the screen. */
+export interface Seen {
+  readonly scene: Scene;
+  readonly document: Document;
+  readonly view: View;
+  /** rises with every change of what the picture shows, but for the view */
+  readonly version: number;
+}
+
+export class Exact {
+  /** why there is none, in words; null: there is one, or none is wanted */
+  problem: string | null = null;
+  readonly #changed: () => void;
+  readonly #worker: RayWorker;
+  #images: ExactImages | null = null;
+  /** what the images are of, and what is drawn of them */
+  #cast = '';
+  #drawn = '';
+  /** images that are drawn */
+  #count = 0;
+  #timer: ReturnType<typeof setTimeout> | undefined;
+  #rested = false;
+  /** a picture is made: the screen waits */
+  #busy = false;
+
+  /** `changed` asks for another frame. */
+  constructor(changed: () => void, worker = new RayWorker()) {
+    this.#changed = changed;
+    this.#worker = worker;
+  }
+
+  /** Draws the frame, or leaves it as it is; false: it is to be drawn with meshes. */
+  frame(seen: Seen): boolean {
+    const bodies = bodiesOf(seen.document);
+    if (bodies.length === 0 || this.#busy) {
+      this.rest();
+      return false;
+    }
+    const { scene, view, version } = seen;
+    const camera = cameraOf(view, scene.pixels);
+    const cast = JSON.stringify([camera, bodies.map(({ node, placement }) => [keyOf(node), placement])]);
+    const drawn = `${version} ${cast}`;
+    if (drawn !== this.#drawn) {
+      if (cast !== this.#cast) this.#giveUp();
+      this.#cast = cast;
+      this.#drawn = drawn;
+      this.#wait();
+      return false;
+    }
+    if (!this.#rested) return false;
+    if (!this.#images) this.#begin(bodies, camera);
+    return this.#refine(scene);
+  }
+
+  /** Nothing is wanted. */
+  rest(): void {
+    if (this.#cast === '' && !this.#images) return;
+    this.#giveUp();
+    this.#cast = '';
+    this.#drawn = '';
+    clearTimeout(this.#timer);
+    this.#rested = false;
+  }
+
+  /** Nobody is there to see them. */
+  stop(): void {
+    this.rest();
+    this.#worker.end();
+  }
+
+  /** 0–1 of what is being done; null: nothing is. */
+  get share(): number | null {
+    const images = this.#images;
+    return images && images.count === 0 && this.problem === null ? images.share : null;
+  }
+
+  /** Of the image that is seen, in values of one skel; null: none is. */
+  get evaluationsAPixel(): number | null {
+    return this.#count > 0 ? (this.#images?.evaluationsAPixel ?? null) : null;
+  }
+
+  /** ms that the first image took */
+  get milliseconds(): number {
+    return this.#images?.milliseconds ?? 0;
+  }
+
+  /** All that can be seen is seen. */
+  get isWhole(): boolean {
+    return this.problem !== null || this.#count === 1 + OFFSETS.length;
+  }
+
+  /** For a picture of its own; what is on the screen waits. Rejects where there is none. */
+  async images(
+    document: Document,
+    view: View,
+    pixels: Scene['pixels'],
+  ): Promise<readonly (() => SurfaceImage)[]> {
+    const bodies = bodiesOf(document);
+    if (bodies.length === 0) return [];
+    this.#busy = true;
+    const camera = cameraOf(view, pixels);
+    try {
+      const images = await new Promise<ExactImages>((resolve, reject) => {
+        const found = new ExactImages(camera, idsOf(bodies));
+        this.#worker.cast({ bodies: bodies.map(exactBody), camera, cells: CELLS }, (said) => {
+          if (said.type === 'refused') reject(new Error(said.message));
+          else found.hear(said);
+          if (found.count === 1 + OFFSETS.length) resolve(found);
+        });
+      });
+      return Array.from({ length: images.count }, (_, i) => () => images.image(i));
+    } finally {
+      this.#busy = false;
+      this.#changed();
+    }
+  }
+
+  #giveUp(): void {
+    if (this.#images && this.#images.count <= OFFSETS.length && !this.#busy) this.#worker.stop();
+    this.#images = null;
+    this.#count = 0;
+    this.problem = null;
+  }
+
+  #wait(): void {
+    this.#count = 0;
+    this.#rested = false;
+    clearTimeout(this.#timer);
+    this.#timer = setTimeout(() => {
+      this.#rested = true;
+      this.#changed();
+    }, REST);
+  }
+
+  #begin(bodies: readonly BodyPart[], camera: RayCamera): void {
+    const images = new ExactImages(camera, idsOf(bodies));
+    this.#images = images;
+    this.#worker.cast({ bodies: bodies.map(exactBody), camera, cells: CELLS }, (said) => {
+      if (said.type === 'refused') this.problem = said.message;
+      else images.hear(said);
+      this.#changed();
+    });
+  }
+
+  /** One more image. */
+  #refine(scene: Scene): boolean {
+    const images = this.#images;
+    if (!images) return false;
+    if (images.count === 0) return images.known > 0 && scene.refine(images.image(0), { known: images.known });
+    if (this.#count === images.count) return true;
+    if (!scene.refine(images.image(this.#count), { enough: ENOUGH })) return false;
+    this.#count++;
+    this.#changed();
+    return true;
+  }
+}
+
+/** Kept, and seen. */
+const bodiesOf = (document: Document): readonly BodyPart[] =>
+  document.parts.filter(isBody).filter(({ hidden }) => !hidden);
+
+const idsOf = (bodies: readonly BodyPart[]): readonly string[] => bodies.map(({ id }) => id);
+
+const exactBody = ({ node, placement }: BodyPart): ExactBody => ({ key: keyOf(node), node, placement });
+
+const keys = new WeakMap<FieldNode, number>();
+let lastKey = 0;
+
+function keyOf(node: FieldNode): number {
+  const key = keys.get(node) ?? ++lastKey;
+  keys.set(node, key);
+  return key;
+}
+
+function cameraOf(view: View, { width, height }: Scene['pixels']): RayCamera {
+  const shrunk = Math.min(1, Math.sqrt(MOST_RAYS / (width * height)));
+  const side = (pixels: number) => Math.max(1, Math.round(pixels * shrunk));
+  return { view, width: side(width), height: side(height), offset: MIDDLE };
+}
