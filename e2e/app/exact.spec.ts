@@ -40,7 +40,9 @@ const text = (fov: number) =>
 
 async function rested(page: Page): Promise<void> {
   await expect
-    .poll(() => page.evaluate(() => document.querySelector('rotund-sketch')!.session.exact.isWhole), { timeout: 60_000 })
+    .poll(() => page.evaluate(() => document.querySelector('rotund-sketch')!.session.exact.isWhole), {
+      timeout: 60_000,
+    })
     .toBe(true);
 }
 
@@ -58,11 +60,18 @@ for (const [address, backend] of [
       await page.evaluate((d) => document.querySelector('rotund-sketch')!.load(d, { fit: false }), text(fov));
       await expect(page.locator('rotund-sketch')).toHaveAttribute('data-backend', backend);
       await expect
-        .poll(() => page.evaluate(() => document.querySelector('rotund-sketch')!.session.bodies.making === null), { timeout: 60_000 })
+        .poll(
+          () => page.evaluate(() => document.querySelector('rotund-sketch')!.session.bodies.making === null),
+          { timeout: 60_000 },
+        )
         .toBe(true);
       for (const style of ['toon', 'hbed-lines', 'hbed-ink', 'gouraud'] as const) {
         for (const mode of ['mesh', 'exact'] as const) {
-          await page.evaluate(([style, mode]) => document.querySelector('rotund-sketch')!.session.setLook({ style, mode } as never), [style, mode]);
+          await page.evaluate(
+            ([style, mode]) =>
+              document.querySelector('rotund-sketch')!.session.setLook({ style, mode } as never),
+            [style, mode],
+          );
           if (mode === 'exact') await rested(page);
           const { png } = await takePicture(page);
           writeFileSync(`/tmp/exactpics/${backend}-${fov}-${style}-${mode}.png`, png);

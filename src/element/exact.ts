@@ -20,7 +20,12 @@ const ENOUGH = 4;
 /** rays a picture: larger ones have a ray for several pixels */
 const MOST_RAYS = 2.4e6;
 
+const WHOLE = 1 + OFFSETS.length;
+
 const MIDDLE = [0.5, 0.5] as const;
+
+/** Of one picture; made when they are drawn. */
+type Images = readonly (() => SurfaceImage)[];
 
 /** What is on the screen. */
 export interface Seen {
@@ -45,7 +50,9 @@ export class Exact {
   #timer: ReturnType<typeof setTimeout> | undefined;
   #rested = false;
   /** a picture is made: the screen waits */
-  #busy = false;
+  #isBusy = false;
+  /** ends with the pictures before */
+  #turn: Promise<unknown> = Promise.resolve();
 
   /** `changed` asks for another frame. */
   constructor(changed: () => void, worker = new RayWorker()) {
@@ -56,7 +63,7 @@ export class Exact {
   /** Draws the frame, or leaves it as it is; false: it is to be drawn with meshes. */
   frame(seen: Seen): boolean {
     const bodies = bodiesOf(seen.document);
-    if (bodies.length === 0 || this.#busy) {
+    if (bodies.length === 0 || this.#isBusy) {
       this.rest();
       return false;
     }
@@ -110,37 +117,39 @@ export class Exact {
 
   /** All that can be seen is seen. */
   get isWhole(): boolean {
-    return this.problem !== null || this.#count === 1 + OFFSETS.length;
+    return this.problem !== null || this.#count === WHOLE;
   }
 
-  /** For a picture of its own; what is on the screen waits. Rejects where there is none. */
-  async images(
-    document: Document,
-    view: View,
-    pixels: Scene['pixels'],
-  ): Promise<readonly (() => SurfaceImage)[]> {
+  /** For a picture of its own; what is on the screen waits. Rejects where there are none. */
+  async images(document: Document, view: View, pixels: Scene['pixels']): Promise<Images> {
     const bodies = bodiesOf(document);
     if (bodies.length === 0) return [];
-    this.#busy = true;
-    const camera = cameraOf(view, pixels);
+    const turn = this.#turn.then(() => this.#whole(bodies, cameraOf(view, pixels)));
+    this.#turn = turn.catch(() => {});
+    return turn;
+  }
+
+  async #whole(bodies: readonly BodyPart[], camera: RayCamera): Promise<Images> {
+    this.#giveUp();
+    this.#isBusy = true;
+    const images = new ExactImages(camera, idsOf(bodies));
     try {
-      const images = await new Promise<ExactImages>((resolve, reject) => {
-        const found = new ExactImages(camera, idsOf(bodies));
+      await new Promise<void>((resolve, reject) => {
         this.#worker.cast({ bodies: bodies.map(exactBody), camera, cells: CELLS }, (said) => {
           if (said.type === 'refused') reject(new Error(said.message));
-          else found.hear(said);
-          if (found.count === 1 + OFFSETS.length) resolve(found);
+          else images.hear(said);
+          if (images.count === WHOLE) resolve();
         });
       });
-      return Array.from({ length: images.count }, (_, i) => () => images.image(i));
     } finally {
-      this.#busy = false;
+      this.#isBusy = false;
       this.#changed();
     }
+    return Array.from({ length: WHOLE }, (_, i) => () => images.image(i));
   }
 
   #giveUp(): void {
-    if (this.#images && this.#images.count <= OFFSETS.length && !this.#busy) this.#worker.stop();
+    if (this.#images && this.#images.count < WHOLE) this.#worker.stop();
     this.#images = null;
     this.#count = 0;
     this.problem = null;
@@ -160,6 +169,7 @@ export class Exact {
     const images = new ExactImages(camera, idsOf(bodies));
     this.#images = images;
     this.#worker.cast({ bodies: bodies.map(exactBody), camera, cells: CELLS }, (said) => {
+      if (this.#images !== images) return;
       if (said.type === 'refused') this.problem = said.message;
       else images.hear(said);
       this.#changed();

@@ -4,8 +4,8 @@
  */
 import { draftSolids, type Solid, solids } from '../document/build.ts';
 import type { Document } from '../document/document.ts';
-import type { SceneItem } from '../scene/index.ts';
 import type { Look } from '../document/look.ts';
+import type { SceneItem } from '../scene/index.ts';
 import type { Session } from './session.ts';
 import { WORDS } from './words.ts';
 

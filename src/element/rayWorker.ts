@@ -37,6 +37,7 @@ export class RayWorker {
 
   /** With all that it kept. */
   end(): void {
+    this.#refuse('given up');
     this.#heard = () => {};
     this.#worker?.terminate();
     this.#worker = null;

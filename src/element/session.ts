@@ -18,7 +18,7 @@ import {
   undo,
   undoable,
 } from '../document/history.ts';
-import { type Background, DEFAULT_LOOK, type Look, type Style } from '../document/look.ts';
+import { type Background, DEFAULT_LOOK, type Look, type Mode, type Style } from '../document/look.ts';
 import { GROWING, isTooLarge } from '../document/size.ts';
 import type { FieldNode } from '../field/node.ts';
 // Only the pure parts of the scene at once: three.js is fetched when there is a page to draw on.
@@ -61,6 +61,8 @@ export interface Hooks {
   /** the document is another one; undo and redo carry no commands */
   committed(commands: readonly Command[], cause: Cause): void;
   selected(ids: readonly string[]): void;
+  /** bodies are shown otherwise */
+  moded(mode: Mode): void;
 }
 
 export class Session implements Bench, Viewport {
@@ -430,9 +432,22 @@ export class Session implements Bench, Viewport {
   // ── the picture ─────────────────────────────────────────────────────────────────────────────────────
 
   setLook(change: Partial<Look>): void {
+    const { mode } = this.look;
     this.look = { ...this.look, ...change };
     this.scene?.setLook(this.look);
     this.update();
+    if (this.look.mode !== mode) this.#hooks.moded(this.look.mode);
+  }
+
+  /** There is something that rays can be cast at. */
+  get hasBodies(): boolean {
+    return this.document.parts.some((part) => isBody(part) && !part.hidden);
+  }
+
+  setMode(mode: Mode): void {
+    this.said = this.hasBodies ? WORDS.mode[mode] : WORDS.noBodies;
+    if (this.hasBodies) this.setLook({ mode });
+    else this.update();
   }
 
   setStyle(style: Style, name: string): void {
@@ -478,11 +493,20 @@ export class Session implements Bench, Viewport {
     return this.state.preview?.(this) ?? this.document;
   }
 
+  /** What rays do, or did. */
+  get #exactDetail(): string {
+    const { share, evaluationsAPixel, problem } = this.exact;
+    if (this.look.mode !== 'exact' || !this.hasBodies) return '';
+    if (problem !== null) return WORDS.notExact;
+    if (share !== null) return WORDS.casting(Math.round(100 * share));
+    return evaluationsAPixel === null ? '' : WORDS.exact(evaluationsAPixel);
+  }
+
   /** What the second line of the status shows. */
   get detail(): string {
     const kind = readingOf(this.document) ?? this.document.parts.at(-1)?.kind;
     if (!kind) return '';
     const grid = kind === 'body' ? `${CELLS} cells` : `${RESOLUTION.u} × ${RESOLUTION.v} mesh`;
-    return `${SURFACE[kind].name} · ${grid}`;
+    return [`${SURFACE[kind].name} · ${grid}`, this.#exactDetail].filter(Boolean).join(' · ');
   }
 }

@@ -18,7 +18,7 @@ export interface Standing {
 }
 
 /** Pixels, from … to below …. */
-interface Window {
+interface Frame {
   readonly left: number;
   readonly right: number;
   readonly top: number;
@@ -48,15 +48,15 @@ export class SceneCaster {
 
   /** The rows in which there may be anything: from … to below …. */
   get rows(): readonly [from: number, to: number] {
-    const windows = this.#bodies.map(({ window }) => window).filter(({ left, right }) => left < right);
-    if (windows.length === 0) return [0, 0];
-    return [Math.min(...windows.map(({ top }) => top)), Math.max(...windows.map(({ bottom }) => bottom))];
+    const frames = this.#bodies.map(({ frame }) => frame).filter(({ left, right }) => left < right);
+    if (frames.length === 0) return [0, 0];
+    return [Math.min(...frames.map(({ top }) => top)), Math.max(...frames.map(({ bottom }) => bottom))];
   }
 
   /** The pixels of a row, written into `image`, where nothing is yet. */
   row(image: RayImage, y: number): void {
     for (const body of this.#bodies) {
-      const { left, right, top, bottom } = body.window;
+      const { left, right, top, bottom } = body.frame;
       if (y < top || y >= bottom) continue;
       for (let x = left; x < right; x++) body.cast(image, 4 * (y * image.width + x), x, y);
     }
@@ -65,14 +65,14 @@ export class SceneCaster {
   /** One pixel, written into the place `slot` of an image. */
   pixel(image: RayImage, slot: number, x: number, y: number): void {
     for (const body of this.#bodies) {
-      const { left, right, top, bottom } = body.window;
+      const { left, right, top, bottom } = body.frame;
       if (x >= left && x < right && y >= top && y < bottom) body.cast(image, 4 * slot, x, y);
     }
   }
 }
 
 class BodyCaster {
-  readonly window: Window;
+  readonly frame: Frame;
   readonly #caster: Raycaster;
   /** as seen from the body, which stays where it was made */
   readonly #camera: RayCamera;
@@ -86,7 +86,7 @@ class BodyCaster {
     this.#rotation = placement.rotation;
     this.#back = back(this.#camera.view);
     this.#number = number;
-    this.window = windowOf(located, this.#camera);
+    this.frame = frameOf(located, this.#camera);
   }
 
   /** Writes what is nearer than what is there. */
@@ -128,7 +128,7 @@ const times = ([ax, ay, az, aw]: Quat, [bx, by, bz, bw]: Quat): Quat => [
 ];
 
 /** All of the picture where a corner of the lattice is behind the eye. */
-function windowOf({ bricks }: Standing['located'], camera: RayCamera): Window {
+function frameOf({ bricks }: Standing['located'], camera: RayCamera): Frame {
   const { width, height } = camera;
   const { origin, counts, step } = bricks.lattice;
   const corners = [0, 1, 2, 3, 4, 5, 6, 7].map((corner): Vec3 => {
