@@ -16,7 +16,7 @@ import { RayWorker } from './rayWorker.ts';
 /** ms without a change until rays are cast, or until what was cast is shown again */
 const REST = 120;
 /** images after which nothing of the meshes is seen any more: fewer leave edges jagged */
-const ENOUGH = 4;
+const ENOUGH = 3;
 /** rays a picture: larger ones have a ray for several pixels */
 const MOST_RAYS = 2.4e6;
 

@@ -29,7 +29,7 @@ export class ExactImages {
   hear(said: Exclude<FromExact, { readonly type: 'refused' }>): void {
     switch (said.type) {
       case 'locating':
-        this.share = said.share;
+        this.share = Math.min(said.share, 1);
         return;
       case 'rows':
         this.#put(said);

@@ -3,7 +3,7 @@
  * controls; the element draws those from here and calls back. Pointer moves only mark what is stale: the frame
  * does the work, and wet ink is drawn before it.
  */
-import { CELLS } from '../document/bodies.ts';
+import { bodyMade, CELLS } from '../document/bodies.ts';
 import { draftIsWhole, RESOLUTION } from '../document/build.ts';
 import type { Command } from '../document/command/index.ts';
 import { type Brush, type Document, EMPTY_DOCUMENT, isBody, readingOf } from '../document/document.ts';
@@ -24,6 +24,7 @@ import type { FieldNode } from '../field/node.ts';
 // Only the pure parts of the scene at once: three.js is fetched when there is a page to draw on.
 import type { Scene } from '../scene/index.ts';
 import { AIR, type Margins } from '../scene/view.ts';
+import { rayAt } from '../stroke/plane.ts';
 import type { View } from '../stroke/stroke.ts';
 import { idle } from '../tool/draw.ts';
 import { selecting } from '../tool/select.ts';
@@ -35,6 +36,7 @@ import { CameraMoves } from './cameraMoves.ts';
 import { draftProblem } from './draftProblem.ts';
 import type { Cause } from './events.ts';
 import { Exact } from './exact.ts';
+import { exactHit } from './exactPick.ts';
 import { Frames } from './frames.ts';
 import type { NoPicture } from './noPicture.ts';
 import { spoken } from './speech.ts';
@@ -117,7 +119,11 @@ export class Session implements Bench, Viewport {
   }
 
   pick(x: number, y: number, except?: readonly string[]) {
-    return this.scene?.pick(x, y, except) ?? null;
+    const hit = this.scene?.pick(x, y, except) ?? null;
+    if (!hit || this.look.mode !== 'exact') return hit;
+    const part = this.document.parts.filter(isBody).find(({ id }) => id === hit.id);
+    const made = part && bodyMade(part.node);
+    return made ? exactHit(hit, part, rayAt(this.view, this.size, x, y), made.mesh) : hit;
   }
 
   focus(ids: readonly string[]): void {

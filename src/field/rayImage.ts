@@ -28,7 +28,8 @@ export interface RayImage {
   readonly colours: Float32Array;
 }
 
-export const NOWHERE = -1e30;
+/** as arrays hold it */
+export const NOWHERE = Math.fround(-1e30);
 
 /** rows between two looks at the clock */
 const BATCH = 1;
