@@ -17,8 +17,8 @@ export function jittered<T>(
   // three would make it anew for this in mid-frame
   camera.coordinateSystem = renderer.coordinateSystem;
   camera.updateProjectionMatrix();
-  projectionMatrix.premultiply(moved((1 - 2 * offset[0]) / width, (2 * offset[1] - 1) / height));
   projectionMatrix.premultiply(widened(aspectOf(camera) / (width / height)));
+  projectionMatrix.premultiply(moved((1 - 2 * offset[0]) / width, (2 * offset[1] - 1) / height));
   projectionMatrixInverse.copy(projectionMatrix).invert();
   try {
     return draw();
