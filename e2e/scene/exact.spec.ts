@@ -166,6 +166,18 @@ for (const backend of ['auto', 'webgl2'] as const) {
       }
     });
 
+    test('what is there of an image is seen above the triangles of the rest', async () => {
+      const look = { ...WHITE, style: 'phong' } as const;
+      const [mesh, exact] = await draw({ look, known: 0.5 });
+      const rows = Array.from({ length: HEIGHT }, (_, y) => {
+        let most = 0;
+        for (let x = 0; x < WIDTH; x++) most = Math.max(most, apart(mesh, exact, x, y));
+        return most;
+      });
+      expect(Math.max(...rows.slice(HEIGHT / 2))).toBeLessThan(2);
+      expect(rows.slice(60, HEIGHT / 2 - 3).filter((most) => most > 2).length).toBeGreaterThan(20);
+    });
+
     if (backend === 'auto') {
       test('an image in buffers of the device is drawn like one of arrays', async () => {
         const picture = { look: { style: 'toon' } } as const;

@@ -128,8 +128,13 @@ export async function openExactStage(backend: 'auto' | 'webgl2' = 'auto'): Promi
       show(scene, picture);
       scene.render();
       const mesh = png((context) => context.drawImage(canvas, 0, 0));
-      for (const image of surfaceImages(picture, scene.device))
-        if (!scene.refine(image)) throw new Error('no frame to refine');
+      const { known } = picture;
+      const images = surfaceImages(picture, scene.device);
+      // in part twice, as rows come
+      const drawn = known === undefined ? images : [images[0]!, images[0]!];
+      for (const image of drawn)
+        if (!scene.refine(image, known === undefined ? {} : { known, enough: 2 }))
+          throw new Error('no frame to refine');
       return [mesh, png((context) => context.drawImage(canvas, 0, 0))];
     },
     async file(picture) {

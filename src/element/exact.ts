@@ -17,6 +17,8 @@ import { RayWorker } from './rayWorker.ts';
 const REST = 120;
 /** images after which nothing of the meshes is seen any more: fewer leave edges jagged */
 const ENOUGH = 3;
+/** of the rows of the first image: what more than this is drawn at once */
+const PART = 0.12;
 /** rays a picture: larger ones have a ray for several pixels */
 const MOST_RAYS = 2.4e6;
 
@@ -47,6 +49,8 @@ export class Exact {
   #drawn = '';
   /** images that are drawn */
   #count = 0;
+  /** how much of the first image is drawn before it is whole */
+  #known = 0;
   #timer: ReturnType<typeof setTimeout> | undefined;
   #rested = false;
   /** a picture is made: the screen waits */
@@ -157,6 +161,7 @@ export class Exact {
 
   #wait(): void {
     this.#count = 0;
+    this.#known = 0;
     this.#rested = false;
     clearTimeout(this.#timer);
     this.#timer = setTimeout(() => {
@@ -176,11 +181,20 @@ export class Exact {
     });
   }
 
+  /** More rows of the first; few at a time would cost more than they show. */
+  #inPart(scene: Scene, images: ExactImages): boolean {
+    const { known } = images;
+    if (this.problem !== null) return false;
+    if (known - this.#known < PART) return true;
+    this.#known = known;
+    return scene.refine(images.image(0), { known, enough: ENOUGH });
+  }
+
   /** One more image. */
   #refine(scene: Scene): boolean {
     const images = this.#images;
     if (!images) return false;
-    if (images.count === 0) return images.known > 0 && scene.refine(images.image(0), { known: images.known });
+    if (images.count === 0) return this.#inPart(scene, images);
     if (this.#count === images.count) return true;
     if (!scene.refine(images.image(this.#count), { enough: ENOUGH })) return false;
     this.#count++;

@@ -512,7 +512,12 @@ export class Session implements Bench, Viewport {
   get detail(): string {
     const kind = readingOf(this.document) ?? this.document.parts.at(-1)?.kind;
     if (!kind) return '';
-    const grid = kind === 'body' ? `${CELLS} cells` : `${RESOLUTION.u} × ${RESOLUTION.v} mesh`;
-    return [`${SURFACE[kind].name} · ${grid}`, this.#exactDetail].filter(Boolean).join(' · ');
+    const grid = kind === 'body' ? `mesh of ${CELLS} cells` : `${RESOLUTION.u} × ${RESOLUTION.v} mesh`;
+    return `${SURFACE[kind].name} · ${this.#exactDetail || grid}`;
+  }
+
+  /** ms that the surface took which is seen */
+  get surfaceTime(): number {
+    return this.exact.evaluationsAPixel === null ? this.frames.buildTime : this.exact.milliseconds;
   }
 }

@@ -195,7 +195,7 @@ export class Pipeline {
       this.#cover(refinement.shown, this.#output);
     }
     this.#fade.known.value = known;
-    this.#fade.share = known < 1 ? 1 : 1 - refinement.count / enough;
+    this.#fade.share = 1 - (known < 1 ? 1 : refinement.count) / enough;
     if (this.#fade.share > 0) this.#blend(this.#fade.over, this.#output);
     this.#finish();
     return true;
@@ -292,6 +292,7 @@ export class Pipeline {
   /** The last frame cannot be had again, and what was kept is of another look or size. */
   #forget(): void {
     this.#refinement.end();
+    this.#image.rest();
     this.#sheet = null;
     this.#fade.share = 0;
   }
