@@ -28,8 +28,8 @@ export interface RayImage {
   readonly colours: Float32Array;
 }
 
-/** as arrays hold it */
-export const NOWHERE = Math.fround(-1e30);
+/** a power of two: the same in float32 */
+export const NOWHERE = -1.2676506002282294e30;
 
 /** rows between two looks at the clock */
 const BATCH = 1;
