@@ -16,6 +16,7 @@ import { Arrival } from './arrival.ts';
 import { checkedCommands, checkedIds } from './check.ts';
 import { Declared, type DeclaredHost } from './declared.ts';
 import { changed, failed, modeChanged, type RotundSketchEventMap, selected } from './events.ts';
+import { shownBodies } from './exact.ts';
 import type { Hooks, Session } from './session.ts';
 import { pictureOptions, pngOf, type Shot } from './shot.ts';
 import { named } from './source.ts';
@@ -266,7 +267,7 @@ export abstract class SketchApi extends LitElement {
     const height = Math.round(this.clientHeight * devicePixelRatio);
     const options = pictureOptions(shot, { document, view, look, width, height, fit: frames.fit });
     const isExact = options.look.mode === 'exact';
-    const images = isExact ? await exact.images(document, options.view, options) : [];
+    const images = isExact ? await exact.images(shownBodies(document), options.view, options) : [];
     return pngOf(await scene.picture({ ...options, images }));
   }
 

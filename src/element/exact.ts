@@ -2,12 +2,13 @@
  * The exact surface of bodies in the picture. While anything moves their meshes are seen; where all rests rays are cast beside the page, and
  * their image takes the place of the meshes row by row, then gets smoother edges. Any change gives it up at once.
  */
-import { CELLS } from '../document/bodies.ts';
-import { type BodyPart, type Document, isBody } from '../document/document.ts';
+import { bodyMade, CELLS } from '../document/bodies.ts';
+import { type Document, isBody } from '../document/document.ts';
 import type { ExactBody } from '../field/exactWork.ts';
 import type { FieldNode } from '../field/node.ts';
 import { OFFSETS } from '../field/rayEdges.ts';
 import type { RayCamera } from '../field/rayImage.ts';
+import type { Placement } from '../math/placement.ts';
 import type { Scene, SurfaceImage } from '../scene/index.ts';
 import type { View } from '../stroke/stroke.ts';
 import { ExactImages } from './exactImages.ts';
@@ -29,10 +30,19 @@ const MIDDLE = [0.5, 0.5] as const;
 /** Of one picture; made when they are drawn. */
 type Images = readonly (() => SurfaceImage)[];
 
+/** A body, and the item of the scene that is its mesh. */
+export interface ShownBody {
+  readonly id: string;
+  readonly node: FieldNode;
+  readonly placement: Placement;
+  /** of its lattice, along the longest side */
+  readonly cells: number;
+}
+
 /** What is on the screen. */
 export interface Seen {
   readonly scene: Scene;
-  readonly document: Document;
+  readonly bodies: readonly ShownBody[];
   readonly view: View;
   /** rises with every change of what the picture shows, but for the view */
   readonly version: number;
@@ -66,14 +76,16 @@ export class Exact {
 
   /** Draws the frame, or leaves it as it is; false: it is to be drawn with meshes. */
   frame(seen: Seen): boolean {
-    const bodies = bodiesOf(seen.document);
+    const { scene, bodies, view, version } = seen;
     if (bodies.length === 0 || this.#isBusy) {
       this.rest();
       return false;
     }
-    const { scene, view, version } = seen;
     const camera = cameraOf(view, scene.pixels);
-    const cast = JSON.stringify([camera, bodies.map(({ node, placement }) => [keyOf(node), placement])]);
+    const cast = JSON.stringify([
+      camera,
+      bodies.map(({ node, placement, cells }) => [keyOf(node), placement, cells]),
+    ]);
     const drawn = `${version} ${cast}`;
     if (drawn !== this.#drawn) {
       if (cast !== this.#cast) this.#giveUp();
@@ -125,21 +137,20 @@ export class Exact {
   }
 
   /** For a picture of its own; what is on the screen waits. Rejects where there are none. */
-  async images(document: Document, view: View, pixels: Scene['pixels']): Promise<Images> {
-    const bodies = bodiesOf(document);
+  async images(bodies: readonly ShownBody[], view: View, pixels: Scene['pixels']): Promise<Images> {
     if (bodies.length === 0) return [];
     const turn = this.#turn.then(() => this.#whole(bodies, cameraOf(view, pixels)));
     this.#turn = turn.catch(() => {});
     return turn;
   }
 
-  async #whole(bodies: readonly BodyPart[], camera: RayCamera): Promise<Images> {
+  async #whole(bodies: readonly ShownBody[], camera: RayCamera): Promise<Images> {
     this.#giveUp();
     this.#isBusy = true;
     const images = new ExactImages(camera, idsOf(bodies));
     try {
       await new Promise<void>((resolve, reject) => {
-        this.#worker.cast({ bodies: bodies.map(exactBody), camera, cells: CELLS }, (said) => {
+        this.#worker.cast({ bodies: bodies.map(exactBody), camera }, (said) => {
           if (said.type === 'refused') reject(new Error(said.message));
           else images.hear(said);
           if (images.count === WHOLE) resolve();
@@ -170,10 +181,10 @@ export class Exact {
     }, REST);
   }
 
-  #begin(bodies: readonly BodyPart[], camera: RayCamera): void {
+  #begin(bodies: readonly ShownBody[], camera: RayCamera): void {
     const images = new ExactImages(camera, idsOf(bodies));
     this.#images = images;
-    this.#worker.cast({ bodies: bodies.map(exactBody), camera, cells: CELLS }, (said) => {
+    this.#worker.cast({ bodies: bodies.map(exactBody), camera }, (said) => {
       if (this.#images !== images) return;
       if (said.type === 'refused') this.problem = said.message;
       else images.hear(said);
@@ -203,13 +214,21 @@ export class Exact {
   }
 }
 
-/** Kept, and seen. */
-const bodiesOf = (document: Document): readonly BodyPart[] =>
-  document.parts.filter(isBody).filter(({ hidden }) => !hidden);
+/** Those of a document that are seen, with lattices as those of their meshes. */
+export const shownBodies = ({ parts }: Document): readonly ShownBody[] =>
+  parts
+    .filter(isBody)
+    .filter(({ hidden }) => !hidden)
+    .map(({ id, node, placement }) => ({ id, node, placement, cells: bodyMade(node)?.cells ?? CELLS }));
 
-const idsOf = (bodies: readonly BodyPart[]): readonly string[] => bodies.map(({ id }) => id);
+const idsOf = (bodies: readonly ShownBody[]): readonly string[] => bodies.map(({ id }) => id);
 
-const exactBody = ({ node, placement }: BodyPart): ExactBody => ({ key: keyOf(node), node, placement });
+const exactBody = ({ node, placement, cells }: ShownBody): ExactBody => ({
+  key: keyOf(node),
+  node,
+  placement,
+  cells,
+});
 
 const keys = new WeakMap<FieldNode, number>();
 let lastKey = 0;

@@ -1,5 +1,5 @@
 /** What a pen points at on a body, on its surface itself: from the triangles, which are a part of a cell away from it, along the ray. */
-import { CELLS } from '../document/bodies.ts';
+import type { Body } from '../document/bodies.ts';
 import type { BodyPart } from '../document/document.ts';
 import { bindField } from '../field/bind.ts';
 import type { FieldNode } from '../field/node.ts';
@@ -21,10 +21,10 @@ export function exactHit(
   hit: Hit,
   { node, placement }: BodyPart,
   ray: Ray,
-  mesh: Parameters<typeof bounds>[0],
+  made: Pick<Body, 'mesh' | 'cells'>,
 ): Hit {
-  const { min, max } = bounds(mesh);
-  const cell = Math.max(...sub3(max, min)) / CELLS;
+  const { min, max } = bounds(made.mesh);
+  const cell = Math.max(...sub3(max, min)) / made.cells;
   const field = bound.get(node) ?? bindField(node);
   bound.set(node, field);
   const { rotation, translation } = placement;

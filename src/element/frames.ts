@@ -6,6 +6,7 @@ import { draftSolids, type Solid, solids } from '../document/build.ts';
 import type { Document } from '../document/document.ts';
 import type { Look } from '../document/look.ts';
 import type { SceneItem } from '../scene/index.ts';
+import { shownBodies } from './exact.ts';
 import type { Session } from './session.ts';
 import { WORDS } from './words.ts';
 
@@ -103,7 +104,7 @@ export class Frames {
     }
     if (look !== this.#look) this.version++;
     this.#look = look;
-    return exact.frame({ scene, document: this.#session.shown(), view, version: this.version });
+    return exact.frame({ scene, bodies: shownBodies(this.#session.shown()), view, version: this.version });
   }
 
   /** A preview that took long waits its turn: the pen has the time before it. */

@@ -123,7 +123,7 @@ export class Session implements Bench, Viewport {
     if (!hit || this.look.mode !== 'exact') return hit;
     const part = this.document.parts.filter(isBody).find(({ id }) => id === hit.id);
     const made = part && bodyMade(part.node);
-    return made ? exactHit(hit, part, rayAt(this.view, this.size, x, y), made.mesh) : hit;
+    return made ? exactHit(hit, part, rayAt(this.view, this.size, x, y), made) : hit;
   }
 
   focus(ids: readonly string[]): void {

@@ -10,6 +10,8 @@ export interface ExactBody {
   readonly key: number;
   readonly node: FieldNode;
   readonly placement: Placement;
+  /** of its lattice, along the longest side */
+  readonly cells: number;
 }
 
 /** A picture that is wanted; one that was wanted before is given up. */
@@ -20,8 +22,6 @@ export interface Cast {
   readonly bodies: readonly ExactBody[];
   /** through the middle of the pixels */
   readonly camera: RayCamera;
-  /** of the lattice along the longest side of a body */
-  readonly cells: number;
 }
 
 /** Nothing is wanted any more. */

@@ -77,7 +77,7 @@ const workOf = (bodies: readonly Standing[]): number =>
   bodies.reduce((sum, { located }) => sum + located.tally.work, 0);
 
 /** Goes on as long as this body is wanted, also for another picture. */
-async function locatedOf({ key, node }: ExactBody, { cells, id }: Cast): Promise<Located | null> {
+async function locatedOf({ key, node, cells }: ExactBody, { id }: Cast): Promise<Located | null> {
   const name = `${key} ${cells}`;
   const known = kept.get(name);
   kept.delete(name);

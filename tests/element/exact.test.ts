@@ -3,7 +3,7 @@ import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { apply } from '../../src/document/command/index.ts';
 import { type Document, EMPTY_DOCUMENT } from '../../src/document/document.ts';
 import { FRONT_VIEW } from '../../src/document/drawing.ts';
-import { Exact, type Seen } from '../../src/element/exact.ts';
+import { Exact, type Seen, shownBodies } from '../../src/element/exact.ts';
 import { type Castable, RayWorker } from '../../src/element/rayWorker.ts';
 import type { Cast, FromExact, ToExact } from '../../src/field/exactWork.ts';
 import { OFFSETS } from '../../src/field/rayEdges.ts';
@@ -15,6 +15,8 @@ const DOCUMENT: Document = apply(EMPTY_DOCUMENT, {
   name: 'Ball',
   node: { type: 'shape', shape: { type: 'sphere', radius: 5 } },
 });
+
+const BODIES = shownBodies(DOCUMENT);
 
 class FakeWorker implements Castable {
   onmessage: Castable['onmessage'] = null;
@@ -68,7 +70,7 @@ const scene = {
 } as unknown as Scene;
 const seen = (more: Partial<Seen> = {}): Seen => ({
   scene,
-  document: DOCUMENT,
+  bodies: BODIES,
   view: FRONT_VIEW,
   version: 1,
   ...more,
@@ -148,7 +150,7 @@ describe('Exact', () => {
   });
 
   it('wants nothing where there is no body, and shows meshes where rays are refused', () => {
-    expect(exact.frame(seen({ document: EMPTY_DOCUMENT }))).toBe(false);
+    expect(exact.frame(seen({ bodies: [] }))).toBe(false);
     vi.advanceTimersByTime(1000);
     expect(worker.asked).toEqual([]);
     rested();
@@ -160,8 +162,8 @@ describe('Exact', () => {
 
   it('gives pictures all images, one after the other, while the screen waits', async () => {
     rested();
-    const first = exact.images(DOCUMENT, FRONT_VIEW, { width: 8, height: 6 });
-    const second = exact.images(DOCUMENT, FRONT_VIEW, { width: 6, height: 8 });
+    const first = exact.images(BODIES, FRONT_VIEW, { width: 8, height: 6 });
+    const second = exact.images(BODIES, FRONT_VIEW, { width: 6, height: 8 });
     await vi.waitFor(() => expect(worker.last.camera.width).toBe(8));
     expect(exact.frame(seen())).toBe(false);
     worker.all(worker.last);
@@ -171,12 +173,12 @@ describe('Exact', () => {
     await expect(second).rejects.toThrow('no room');
     rested();
     expect(worker.last.camera).toMatchObject(PIXELS);
-    expect(await exact.images(EMPTY_DOCUMENT, FRONT_VIEW, PIXELS)).toEqual([]);
+    expect(await exact.images([], FRONT_VIEW, PIXELS)).toEqual([]);
   });
 
   it('ends its worker, and what waits for it, with the element', async () => {
     rested();
-    const waiting = exact.images(DOCUMENT, FRONT_VIEW, PIXELS);
+    const waiting = exact.images(BODIES, FRONT_VIEW, PIXELS);
     await vi.waitFor(() => expect(worker.asked.filter(({ type }) => type === 'cast').length).toBe(2));
     exact.stop();
     await expect(waiting).rejects.toThrow('given up');

@@ -28,9 +28,8 @@ const wish = (id: number, more: Partial<Cast> = {}) =>
   say({
     type: 'cast',
     id,
-    bodies: [{ key: 1, node: sphere, placement: UNMOVED }],
+    bodies: [{ key: 1, node: sphere, placement: UNMOVED, cells: 24 }],
     camera: { view: VIEW, width: WIDTH, height: HEIGHT, offset: [0.5, 0.5] },
-    cells: 24,
     ...more,
   });
 const of = <T extends FromExact['type']>(id: number, type: T) =>
@@ -78,7 +77,7 @@ describe('the worker', () => {
 
   test('looks for a body once, however often it is looked at', async () => {
     const blob = body();
-    const bodies = [{ key: 2, node: blob, placement: UNMOVED }];
+    const bodies = [{ key: 2, node: blob, placement: UNMOVED, cells: 64 }];
     const view = { ...VIEW, rotation: [0, 1, 0, 0] } as const;
     const evaluations: number[] = [];
     for (const [id, seen] of [
@@ -89,7 +88,6 @@ describe('the worker', () => {
       wish(id, {
         bodies,
         camera: { view: seen, width: WIDTH, height: HEIGHT, offset: [0.5, 0.5] },
-        cells: 64,
       });
       await whole(id);
       evaluations.push(of(id, 'edges')[0]!.evaluationsAPixel);
@@ -111,7 +109,7 @@ describe('the worker', () => {
       newest = message.id;
       if (id < first + 10 && next() < 0.3) wish(++id);
     };
-    wish(id, { cells: 48 });
+    wish(id, { bodies: [{ key: 5, node: sphere, placement: UNMOVED, cells: 48 }] });
     await vi.waitFor(() => {
       if (id < first + 10 && of(id, 'again').length === OFFSETS.length) wish(++id);
       expect(of(first + 10, 'again').length).toBe(OFFSETS.length);
@@ -120,7 +118,7 @@ describe('the worker', () => {
   });
 
   test('stops when told to, and goes on afterwards', async () => {
-    wish(21, { cells: 96, bodies: [{ key: 3, node: body(), placement: UNMOVED }] });
+    wish(21, { bodies: [{ key: 3, node: body(), placement: UNMOVED, cells: 96 }] });
     say({ type: 'stop', id: 22 });
     wish(23);
     await whole(23);
@@ -135,7 +133,7 @@ describe('the worker', () => {
       threshold: 1,
       skels: [],
     } as unknown as FieldNode;
-    wish(31, { bodies: [{ key: 4, node: bad, placement: UNMOVED }] });
+    wish(31, { bodies: [{ key: 4, node: bad, placement: UNMOVED, cells: 24 }] });
     await vi.waitFor(() => expect(of(31, 'refused')[0]?.message).toMatch(/nobody/));
     wish(32);
     await whole(32);
