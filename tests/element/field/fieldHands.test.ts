@@ -11,6 +11,7 @@ const host = {
   reset: vi.fn(),
   setStyle: vi.fn((number: number) => number === 2),
   toggleWires: vi.fn(),
+  toggleRays: vi.fn(),
 };
 const hands = new FieldHands(host);
 
@@ -25,6 +26,11 @@ describe('keys', () => {
   test('W shows the triangles, with and without Caps Lock', () => {
     expect([press('w'), press('W')]).toEqual([true, true]);
     expect(host.toggleWires).toHaveBeenCalledTimes(2);
+  });
+
+  test('X casts rays', () => {
+    expect(press('x')).toBe(true);
+    expect(host.toggleRays).toHaveBeenCalledTimes(1);
   });
 
   test('arrows turn as far as in the application', () => {
