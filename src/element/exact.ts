@@ -205,6 +205,11 @@ export class Exact {
   #refine(scene: Scene): boolean {
     const images = this.#images;
     if (!images) return false;
+    // somebody drew another frame, or undid it
+    if (scene.refined !== this.#count) {
+      this.#wait();
+      return false;
+    }
     if (images.count === 0) return this.#inPart(scene, images);
     if (this.#count === images.count) return true;
     if (!scene.refine(images.image(this.#count), { enough: ENOUGH })) return false;

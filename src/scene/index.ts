@@ -56,6 +56,8 @@ export interface Scene {
    * before it since that frame, whose places in the pixel were others. The view and all else must be as they were. False where there was no frame.
    */
   refine(image: SurfaceImage, how?: Refining): boolean;
+  /** Images in the mean of pictures that is seen, 0: triangles only; null: there is no frame, or another look or size undid it. */
+  readonly refined: number | null;
   /**
    * Keeps the picture of the last frame: it lies over the frames to come, as `fade` says, until the look or the size changes.
    * False where there is none.
@@ -169,6 +171,9 @@ function makeScene(made: SceneRenderer, options: SceneOptions): Scene {
     },
     refine: (image, how) =>
       made.gone === null && drawing === 'begun' && pipeline.refine(rig.camera, rig.view(), image, how),
+    get refined() {
+      return pipeline.refined;
+    },
     keep: () => made.gone === null && drawing === 'begun' && pipeline.keep(),
     fade(share) {
       pipeline.fade = share;

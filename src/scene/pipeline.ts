@@ -126,6 +126,11 @@ export class Pipeline {
     return { width: this.#size.x, height: this.#size.y };
   }
 
+  /** Images in the mean that is seen, 0: triangles only; null: the frame is gone. */
+  get refined(): number | null {
+    return this.#sheet === null ? null : this.#refinement.count;
+  }
+
   setLook(look: Look): void {
     this.#look = look;
     this.#forget();

@@ -61,10 +61,15 @@ let worker: FakeWorker;
 let exact: Exact;
 let wakes: number;
 let drawn: SurfaceImage[];
+let refined: number | null;
 const scene = {
   pixels: PIXELS,
-  refine(image: SurfaceImage) {
+  get refined() {
+    return refined;
+  },
+  refine(image: SurfaceImage, { known = 1 } = {}) {
     drawn.push(image);
+    if (known === 1 && refined !== null) refined++;
     return true;
   },
 } as unknown as Scene;
@@ -88,6 +93,7 @@ beforeEach(() => {
   worker = new FakeWorker();
   wakes = 0;
   drawn = [];
+  refined = 0;
   exact = new Exact(() => void wakes++, new RayWorker(() => worker));
 });
 afterEach(() => void vi.useRealTimers());
@@ -123,12 +129,27 @@ describe('Exact', () => {
     expect(drawn[0]!.items).toEqual(DOCUMENT.parts.map(({ id }) => id));
   });
 
+  it('begins anew with what it has when the frame is gone, as after another size', () => {
+    rested();
+    worker.all(worker.last);
+    for (let i = 0; i < 10; i++) expect(exact.frame(seen())).toBe(true);
+    refined = null;
+    expect(exact.frame(seen())).toBe(false);
+    refined = 0;
+    drawn = [];
+    vi.advanceTimersByTime(1000);
+    for (let i = 0; i < 10; i++) expect(exact.frame(seen())).toBe(true);
+    expect(drawn.length).toBe(1 + OFFSETS.length);
+    expect(worker.asked.length).toBe(1);
+  });
+
   it('casts nothing anew for another style, and all for another view', () => {
     rested();
     worker.all(worker.last);
     for (let i = 0; i < 10; i++) exact.frame(seen());
     drawn = [];
     const other = seen({ version: 2 });
+    refined = 0;
     expect(exact.frame(other)).toBe(false);
     expect(exact.isWhole).toBe(false);
     vi.advanceTimersByTime(1000);
