@@ -4,15 +4,11 @@
  */
 import { bodyMade, CELLS } from '../document/bodies.ts';
 import { type Document, isBody } from '../document/document.ts';
-import type { ExactBody } from '../field/exactWork.ts';
-import type { FieldNode } from '../field/node.ts';
-import { OFFSETS } from '../field/rayEdges.ts';
 import type { RayCamera } from '../field/rayImage.ts';
-import type { Placement } from '../math/placement.ts';
 import type { Scene, SurfaceImage } from '../scene/index.ts';
 import type { View } from '../stroke/stroke.ts';
-import { ExactImages } from './exactImages.ts';
-import { RayWorker } from './rayWorker.ts';
+import type { Caster, CastImages, ShownBody } from './caster.ts';
+import { keyOf, RayWorker } from './rayWorker.ts';
 
 /** ms without a change until rays are cast, or until what was cast is shown again */
 const REST = 120;
@@ -23,21 +19,10 @@ const PART = 0.12;
 /** rays a picture: larger ones have a ray for several pixels */
 const MOST_RAYS = 2.4e6;
 
-const WHOLE = 1 + OFFSETS.length;
-
 const MIDDLE = [0.5, 0.5] as const;
 
 /** Of one picture; made when they are drawn. */
 type Images = readonly (() => SurfaceImage)[];
-
-/** A body, and the item of the scene that is its mesh. */
-export interface ShownBody {
-  readonly id: string;
-  readonly node: FieldNode;
-  readonly placement: Placement;
-  /** of its lattice, along the longest side */
-  readonly cells: number;
-}
 
 /** What is on the screen. */
 export interface Seen {
@@ -52,8 +37,8 @@ export class Exact {
   /** why there is none, in words; null: there is one, or none is wanted */
   problem: string | null = null;
   readonly #changed: () => void;
-  readonly #worker: RayWorker;
-  #images: ExactImages | null = null;
+  readonly #caster: Caster;
+  #images: CastImages | null = null;
   /** what the images are of, and what is drawn of them */
   #cast = '';
   #drawn = '';
@@ -69,9 +54,9 @@ export class Exact {
   #turn: Promise<unknown> = Promise.resolve();
 
   /** `changed` asks for another frame. */
-  constructor(changed: () => void, worker = new RayWorker()) {
+  constructor(changed: () => void, caster: Caster = new RayWorker()) {
     this.#changed = changed;
-    this.#worker = worker;
+    this.#caster = caster;
   }
 
   /** Draws the frame, or leaves it as it is; false: it is to be drawn with meshes. */
@@ -112,7 +97,7 @@ export class Exact {
   /** Nobody is there to see them. */
   stop(): void {
     this.rest();
-    this.#worker.end();
+    this.#caster.end();
   }
 
   /** 0–1 of what is being done; null: nothing is. */
@@ -133,7 +118,7 @@ export class Exact {
 
   /** All that can be seen is seen. */
   get isWhole(): boolean {
-    return this.problem !== null || this.#count === WHOLE;
+    return this.problem !== null || this.#count === this.#images?.whole;
   }
 
   /** For a picture of its own; what is on the screen waits. Rejects where there are none. */
@@ -147,24 +132,22 @@ export class Exact {
   async #whole(bodies: readonly ShownBody[], camera: RayCamera): Promise<Images> {
     this.#giveUp();
     this.#isBusy = true;
-    const images = new ExactImages(camera, idsOf(bodies));
     try {
-      await new Promise<void>((resolve, reject) => {
-        this.#worker.cast({ bodies: bodies.map(exactBody), camera }, (said) => {
-          if (said.type === 'refused') reject(new Error(said.message));
-          else images.hear(said);
-          if (images.count === WHOLE) resolve();
+      const images = await new Promise<CastImages>((resolve, reject) => {
+        const casting = this.#caster.cast(bodies, camera, {
+          changed: () => casting.count === casting.whole && resolve(casting),
+          refused: (why) => reject(new Error(why)),
         });
       });
+      return Array.from({ length: images.whole }, (_, i) => () => images.image(i));
     } finally {
       this.#isBusy = false;
       this.#changed();
     }
-    return Array.from({ length: WHOLE }, (_, i) => () => images.image(i));
   }
 
   #giveUp(): void {
-    if (this.#images && this.#images.count < WHOLE) this.#worker.stop();
+    if (this.#images) this.#caster.stop();
     this.#images = null;
     this.#count = 0;
     this.problem = null;
@@ -182,18 +165,17 @@ export class Exact {
   }
 
   #begin(bodies: readonly ShownBody[], camera: RayCamera): void {
-    const images = new ExactImages(camera, idsOf(bodies));
-    this.#images = images;
-    this.#worker.cast({ bodies: bodies.map(exactBody), camera }, (said) => {
-      if (this.#images !== images) return;
-      if (said.type === 'refused') this.problem = said.message;
-      else images.hear(said);
-      this.#changed();
+    this.#images = this.#caster.cast(bodies, camera, {
+      changed: () => this.#changed(),
+      refused: (why) => {
+        this.problem = why;
+        this.#changed();
+      },
     });
   }
 
   /** More rows of the first; few at a time would cost more than they show. */
-  #inPart(scene: Scene, images: ExactImages): boolean {
+  #inPart(scene: Scene, images: CastImages): boolean {
     const { known } = images;
     if (this.problem !== null) return false;
     if (known - this.#known < PART) return true;
@@ -225,24 +207,6 @@ export const shownBodies = ({ parts }: Document): readonly ShownBody[] =>
     .filter(isBody)
     .filter(({ hidden }) => !hidden)
     .map(({ id, node, placement }) => ({ id, node, placement, cells: bodyMade(node)?.cells ?? CELLS }));
-
-const idsOf = (bodies: readonly ShownBody[]): readonly string[] => bodies.map(({ id }) => id);
-
-const exactBody = ({ node, placement, cells }: ShownBody): ExactBody => ({
-  key: keyOf(node),
-  node,
-  placement,
-  cells,
-});
-
-const keys = new WeakMap<FieldNode, number>();
-let lastKey = 0;
-
-function keyOf(node: FieldNode): number {
-  const key = keys.get(node) ?? ++lastKey;
-  keys.set(node, key);
-  return key;
-}
 
 function cameraOf(view: View, { width, height }: Scene['pixels']): RayCamera {
   const shrunk = Math.min(1, Math.sqrt(MOST_RAYS / (width * height)));

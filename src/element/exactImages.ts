@@ -1,16 +1,16 @@
 /** What rays have found so far for one picture: kept on the page, so that another style or colour casts none anew. */
 import type { FromExact, Rows } from '../field/exactWork.ts';
-import { imageThrough, type Recast } from '../field/rayEdges.ts';
+import { imageThrough, OFFSETS, type Recast } from '../field/rayEdges.ts';
 import type { RayCamera } from '../field/rayImage.ts';
 import { emptyImage, type OwnImage } from '../field/rayScene.ts';
 import type { SurfaceImage } from '../scene/index.ts';
+import type { CastImages } from './caster.ts';
 
-export class ExactImages {
-  /** rows that are there, 0–1 from the top */
+export class ExactImages implements CastImages {
+  readonly whole = 1 + OFFSETS.length;
   known = 0;
-  /** 0–1 of what is being done: bodies located, then rows cast */
+  /** bodies are looked for, then rows cast */
   share = 0;
-  /** of the first image; null until it is whole */
   evaluationsAPixel: number | null = null;
   milliseconds = 0;
   readonly #camera: RayCamera;
@@ -44,12 +44,10 @@ export class ExactImages {
     }
   }
 
-  /** Images that are whole. */
   get count(): number {
     return this.#edges ? 1 + this.#recasts.length : 0;
   }
 
-  /** The first is through the middle of the pixels, and there in part before it is whole. */
   image(number: number): SurfaceImage {
     const recast = this.#recasts[number - 1];
     const [camera, items] = [this.#camera, this.#items];

@@ -8,7 +8,8 @@ import { type DeviceMesh, isOnDevice } from '../../scene/deviceMesh.ts';
 import type { Look, Scene } from '../../scene/index.ts';
 import { FRONT_VIEW, holds, type Margins } from '../../scene/view.ts';
 import type { View } from '../../stroke/stroke.ts';
-import { Exact, type ShownBody } from '../exact.ts';
+import type { ShownBody } from '../caster.ts';
+import { Exact } from '../exact.ts';
 
 /** From the right and a little above: degrees. */
 const [YAW, PITCH] = [32, -14];
