@@ -11,6 +11,7 @@ import {
 } from '../../src/scene/index.ts';
 import type { View } from '../../src/stroke/stroke.ts';
 import { openDeviceStage } from './device.ts';
+import { openExactStage } from './exact.ts';
 import { type Form, makeMesh } from './meshes.ts';
 
 export interface Thing {
@@ -102,6 +103,7 @@ function png(width: number, height: number, draw: (context: CanvasRenderingConte
 
 window.createScene = createScene;
 window.openDeviceStage = openDeviceStage;
+window.openExactStage = openExactStage;
 
 window.drawPicture = async (picture) => {
   const { scene, canvas } = await setUp(picture);

@@ -1,5 +1,6 @@
 #import kernel
 #import record/segment
+#import distance
 
 // value and gradient. The perpendicular is taken from the nearer end and made perpendicular twice: d² − h² would lose all
 // its digits beyond an end (FIELD-NOTES §2: 9e-2 against 1e-6).
@@ -18,6 +19,8 @@ fn segment_field(kernel: u32, at: u32, p: vec3f) -> vec4f {
   f.length = skel.length;
   f.alpha = select(-along - skel.length, -along, nearer_a);
   f.beta = select(-along, skel.length - along, nearer_a);
+  let beyond = max(max(f.alpha, -f.beta), 0.0);
+  note_distance(f.rho2 + beyond * beyond, skel.scale);
   f.weights = skel.weights;
   f.degree = skel.degree;
   f.floor2 = skel.floor2;

@@ -77,7 +77,11 @@ export const RENDER: CommandSpec = {
       help: 'front, back, left, right, top, bottom, or yaw,pitch[,roll] in degrees; frames the whole model (the view stored in the drawing)',
     },
     { name: 'style', value: 'NAME', help: `${STYLES.join(', ')} (the style stored in the drawing)` },
-    { name: 'mode', value: 'mesh|raycast', help: 'how solids are drawn (mesh); raycast does not exist yet' },
+    {
+      name: 'mode',
+      value: 'mesh|raycast',
+      help: 'how bodies are drawn: triangles, or their surface itself by rays (as stored in the drawing)',
+    },
     HELP,
   ],
   output: '{width, height, backend, milliseconds}',

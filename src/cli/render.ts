@@ -18,7 +18,6 @@ export async function render(args: Args): Promise<void> {
   const { values } = args;
   const out = outputOf(values.output, RENDER.synopsis);
   checkPicture(out);
-  mode(values.mode);
   const shot = shotOf(values);
   checkOutput(out, input);
   const { drawing } = await readInput(input);
@@ -34,7 +33,13 @@ export async function render(args: Args): Promise<void> {
 function shotOf(values: Args['values']) {
   const from = camera(values.camera);
   const look = style(values.style);
-  return { ...size(values.size), ...(from && { camera: from }), ...(look && { style: look }) };
+  const surfaces = mode(values.mode);
+  return {
+    ...size(values.size),
+    ...(from && { camera: from }),
+    ...(look && { style: look }),
+    ...(surfaces && { mode: surfaces }),
+  };
 }
 
 interface Picture {

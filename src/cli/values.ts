@@ -1,6 +1,6 @@
 /** Values of options: what is written on the command line, checked. */
 import { RESOLUTION, type Resolution } from '../document/build.ts';
-import { PICTURE_SIDE, STYLES, type Style } from '../document/look.ts';
+import { type Mode, PICTURE_SIDE, STYLES, type Style } from '../document/look.ts';
 import { type Exporter, exporters, type Format } from '../export/index.ts';
 import { RESOLUTION as CELLS_RANGE } from '../field/lattice.ts';
 import { Problem } from './problem.ts';
@@ -61,10 +61,11 @@ export function style(text: string | undefined): Style | undefined {
   return known;
 }
 
-/** Refuses by name what the design has and the program does not yet. */
-export function mode(text: string | undefined): void {
-  if (text === 'raycast') throw new Problem('--mode raycast does not exist yet; solids are drawn as a mesh');
-  if (text !== undefined && text !== 'mesh') throw new Problem(`--mode: expected mesh; found '${text}'`);
+/** Without the option as the drawing has it. */
+export function mode(text: string | undefined): Mode | undefined {
+  if (text === undefined || text === 'mesh') return text;
+  if (text === 'raycast') return 'exact';
+  throw new Problem(`--mode: expected mesh or raycast; found '${text}'`);
 }
 
 export type Backend = 'cpu' | 'gpu';

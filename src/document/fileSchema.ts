@@ -5,14 +5,14 @@ import { fields, list, text } from './fields.ts';
 import { LIMITS } from './limits.ts';
 import { document, look, view } from './schema.ts';
 
-/** The versions this program reads: the second has bodies. It writes the lowest that holds what there is. */
-export const VERSIONS = [1, 2] as const;
+/** The versions this program reads: the second has bodies, the third exact surfaces in the look. It writes the lowest that holds what there is. */
+export const VERSIONS = [1, 2, 3] as const;
 export type Version = (typeof VERSIONS)[number];
 
 export const DOCUMENT_FORMAT = 'rotund';
 export const SCRIPT_FORMAT = 'rotund-script';
 
-const version = v.picklist(VERSIONS, `version ${VERSIONS.join(' or ')}`);
+const version = v.picklist(VERSIONS, `version ${VERSIONS.slice(0, -1).join(', ')} or ${VERSIONS.at(-1)}`);
 const format = <const F extends string>(name: F) => v.literal(name, `"${name}"`);
 
 /** What both kinds of files may have beside the drawing itself. */
@@ -34,7 +34,7 @@ export const scriptFile = fields({ format: format(SCRIPT_FORMAT), version, ...fr
 /** A drawing in hand: as in a file, and what says that it is a file may be missing. */
 export const drawing = fields({
   format: v.optional(format(DOCUMENT_FORMAT), DOCUMENT_FORMAT),
-  version: v.optional(version, 2),
+  version: v.optional(version, 3),
   ...frame,
   name: v.optional(text(0, LIMITS.drawingName), ''),
   document,

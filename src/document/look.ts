@@ -13,8 +13,13 @@ export const PICTURE_SIDE = { least: 16, most: 8192 } as const;
 export const KERNEL_CHOICES = ['A', 'B', 'C', 'D', 'auto'] as const;
 export type KernelChoice = (typeof KERNEL_CHOICES)[number];
 
+/** What is seen of bodies: triangles, or what rays find of the surface itself. */
+export const MODES = ['mesh', 'exact'] as const;
+export type Mode = (typeof MODES)[number];
+
 export interface Look {
   readonly style: Style;
+  readonly mode: Mode;
   readonly background: Background;
   /** the contour of toon, gouraud and phong */
   readonly outline: boolean;
@@ -31,6 +36,7 @@ export interface Look {
 
 export const DEFAULT_LOOK: Look = {
   style: 'toon',
+  mode: 'mesh',
   background: 'paper',
   outline: true,
   grain: true,

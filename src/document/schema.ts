@@ -10,7 +10,7 @@ import { DEFAULT_BRUSH } from './document.ts';
 import { FRONT_VIEW } from './drawing.ts';
 import { between, fields, flag, list, number, oneOf, text, whole } from './fields.ts';
 import { LIMITS, RANGES, type Range } from './limits.ts';
-import { BACKGROUNDS, DEFAULT_LOOK, KERNEL_CHOICES, type Look, STYLES } from './look.ts';
+import { BACKGROUNDS, DEFAULT_LOOK, KERNEL_CHOICES, type Look, MODES, STYLES } from './look.ts';
 import { node } from './nodeSchema.ts';
 import { completed, documentRules, draftRules, partRules, planeRules, rotationRules } from './rules.ts';
 import { samples } from './samples.ts';
@@ -146,6 +146,7 @@ export const document = v.pipe(
 
 export const look = fields({
   style: v.optional(oneOf(STYLES), DEFAULT_LOOK.style),
+  mode: v.optional(oneOf(MODES), DEFAULT_LOOK.mode),
   background: v.optional(oneOf(BACKGROUNDS), DEFAULT_LOOK.background),
   outline: v.optional(flag, DEFAULT_LOOK.outline),
   grain: v.optional(flag, DEFAULT_LOOK.grain),

@@ -130,7 +130,8 @@ function versionOfCommand(command: Command): Version {
   return command.type === 'addBody' || command.type === 'setBody' ? 2 : 1;
 }
 
-function head(format: string, version: Version, { name, view, look }: Drawing) {
+function head(format: string, needed: Version, { name, view, look }: Drawing) {
+  const version: Version = look.mode === 'exact' ? 3 : needed;
   return { format, version, unit: 'mm', name, view: writtenView(view), look: writtenLook(look) };
 }
 

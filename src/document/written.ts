@@ -13,9 +13,21 @@ export const writtenView = ({ pivot, rotation, height, fov }: View): View => ({
   fov,
 });
 
-export function writtenLook(look: Look): Look {
-  const { style, background, outline, grain, wireframe, grid, kernel, creases, overlaps } = look;
-  return { style, background, outline, grain, wireframe, grid, kernel, creases, overlaps };
+/** What older programs do not know is left out where it is as they have it. */
+export function writtenLook(look: Look): Omit<Look, 'mode'> & Partial<Pick<Look, 'mode'>> {
+  const { style, mode, background, outline, grain, wireframe, grid, kernel, creases, overlaps } = look;
+  return {
+    style,
+    ...(mode === 'exact' && { mode }),
+    background,
+    outline,
+    grain,
+    wireframe,
+    grid,
+    kernel,
+    creases,
+    overlaps,
+  };
 }
 
 function writtenBrush({ colour, radius, pressure, caps, filter, levels }: Brush): Brush {

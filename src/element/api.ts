@@ -7,7 +7,7 @@ import type { Command } from '../document/command/index.ts';
 import { type Document, isBody } from '../document/document.ts';
 import type { Drawing } from '../document/drawing.ts';
 import { redoable, undoable } from '../document/history.ts';
-import type { Style } from '../document/look.ts';
+import type { Mode, Style } from '../document/look.ts';
 import { checkDrawing, FileError, parse, serialize, serializeScript } from '../document/serialize.ts';
 import type { Format, OutFile } from '../export/index.ts';
 import type { Scene } from '../scene/index.ts';
@@ -15,7 +15,8 @@ import type { Stroke } from '../stroke/stroke.ts';
 import { Arrival } from './arrival.ts';
 import { checkedCommands, checkedIds } from './check.ts';
 import { Declared, type DeclaredHost } from './declared.ts';
-import { changed, failed, type RotundSketchEventMap, selected } from './events.ts';
+import { changed, failed, modeChanged, type RotundSketchEventMap, selected } from './events.ts';
+import { shownBodies } from './exact.ts';
 import type { Waiting } from './needs.ts';
 import type { Hooks, Session } from './session.ts';
 import { pictureOptions, pngOf, type Shot } from './shot.ts';
@@ -37,6 +38,7 @@ export interface LoadOptions {
  * @fires {CustomEvent<ChangeDetail>} change - The document is another one. `detail`: `commands`, `cause` (`command`, `undo` or `redo`; the last two carry no commands) and `document`.
  * @fires {CustomEvent<RenameDetail>} rename - The drawing is called otherwise. `detail.name`: how; empty while it has no name.
  * @fires {CustomEvent<SelectDetail>} select - Other parts are selected. `detail.ids`: which.
+ * @fires {CustomEvent<ModeDetail>} mode - Bodies are shown otherwise. `detail.mode`: `mesh` or `exact`.
  * @fires {CustomEvent<ErrorDetail>} error - What the page declared cannot be done, or there is no picture. `detail`: `error` and `message`. `preventDefault()` says that the page tells the person itself.
  *
  * @slot poster - Seen until the first picture is there.
@@ -76,6 +78,7 @@ export abstract class SketchApi extends LitElement {
     src: { reflect: true },
     alt: { reflect: true },
     renderStyle: { attribute: 'render-style', reflect: true },
+    mode: { reflect: true },
     readOnly: { type: Boolean, attribute: 'readonly', reflect: true },
     controls: { reflect: true, useDefault: true },
     theme: { reflect: true },
@@ -98,6 +101,11 @@ export abstract class SketchApi extends LitElement {
    * person chooses.
    */
   declare renderStyle: Style | null;
+  /**
+   * `mesh` shows bodies by triangles, `exact` their surface itself where all rests; wins over the mode stored in a drawing, and follows what
+   * a person chooses.
+   */
+  declare mode: Mode | null;
   /** Looking only: one finger, the left button or the pen turns the view, a tap selects; methods still change the drawing. */
   declare readOnly: boolean;
   /** `none` shows the picture alone */
@@ -132,6 +140,7 @@ export abstract class SketchApi extends LitElement {
     this.src = null;
     this.alt = null;
     this.renderStyle = null;
+    this.mode = null;
     this.readOnly = false;
     this.controls = 'all';
     this.theme = null;
@@ -259,12 +268,13 @@ export abstract class SketchApi extends LitElement {
     if (!this.isConnected)
       throw new Error('rotund-sketch: there is a picture only of an element that is on a page.');
     const scene = await this.scene.get();
-    const { document, view, look, frames } = this.session;
+    const { document, view, look, frames, exact } = this.session;
     const width = Math.round(this.clientWidth * devicePixelRatio);
     const height = Math.round(this.clientHeight * devicePixelRatio);
-    return pngOf(
-      await scene.picture(pictureOptions(shot, { document, view, look, width, height, fit: frames.fit })),
-    );
+    const options = pictureOptions(shot, { document, view, look, width, height, fit: frames.fit });
+    const isExact = options.look.mode === 'exact';
+    const images = isExact ? await exact.images(shownBodies(document), options.view, options) : [];
+    return pngOf(await scene.picture({ ...options, images }));
   }
 
   // ── events ──────────────────────────────────────────────────────────────────────────────────────────
@@ -308,10 +318,11 @@ export abstract class SketchApi extends LitElement {
   // ── for the element itself ──────────────────────────────────────────────────────────────────────────
 
   /** @internal */
-  protected readonly hooks: Pick<Hooks, 'committed' | 'selected'> = {
+  protected readonly hooks: Pick<Hooks, 'committed' | 'selected' | 'moded'> = {
     committed: (commands, cause) =>
       void this.dispatchEvent(changed({ commands, cause, document: this.document })),
     selected: (ids) => void this.dispatchEvent(selected(ids)),
+    moded: (mode) => void this.dispatchEvent(modeChanged(mode)),
   };
 
   /**
@@ -354,6 +365,12 @@ export abstract class SketchApi extends LitElement {
       set renderStyle(style) {
         sketch.renderStyle = style;
       },
+      get mode() {
+        return sketch.mode;
+      },
+      set mode(mode) {
+        sketch.mode = mode;
+      },
       restored: () => this.restored(),
       began: () => this.began(),
       fail: (error) => this.fail(error),
@@ -380,9 +397,10 @@ export abstract class SketchApi extends LitElement {
   /** @internal */
   protected override willUpdate(changes: PropertyValues): void {
     if (changes.has('renderStyle')) this.declared.takeStyle();
+    if (changes.has('mode')) this.declared.takeMode();
     if (changes.has('readOnly') && this.readOnly) this.session.cancel();
     this.session.bodies.expectsEdits = !this.readOnly;
-    this.declared.followStyle();
+    this.declared.followLook();
   }
 
   /** @internal */

@@ -245,7 +245,7 @@ export function chip(session: Session, actions: Actions): TemplateResult | typeo
 export function status(session: Session): TemplateResult {
   const backend = session.scene?.backend;
   const slow = backend === 'WebGL2' ? 'WebGL2, slower' : backend;
-  const time = session.frames.buildTime ? `${Math.max(1, Math.round(session.frames.buildTime))} ms` : '';
+  const time = session.surfaceTime ? `${Math.max(1, Math.round(session.surfaceTime))} ms` : '';
   const known = session.making || [session.detail, time].filter(Boolean).join(' · ');
   const facts = session.detail && `${known} · `;
   const draws = slow ?? (session.noPicture ? WORDS.noPicture : WORDS.loading);

@@ -3,7 +3,7 @@
  * here throws: what cannot be done is told by an event, and what is open stays.
  */
 import type { Drawing } from '../document/drawing.ts';
-import { STYLES, type Style } from '../document/look.ts';
+import { MODES, type Mode, STYLES, type Style } from '../document/look.ts';
 import { FileError } from '../document/serialize.ts';
 import { messageOf } from './events.ts';
 import type { Notice, Session } from './session.ts';
@@ -18,6 +18,7 @@ export interface DeclaredHost {
   /** Resolves when what the browser kept of this drawing is open, or there is nothing; true: it is open. */
   restored(): Promise<boolean>;
   renderStyle: Style | null;
+  mode: Mode | null;
   /** the drawing that is open is just so where it came from */
   began(): void;
   /** Says what went wrong; true when the page leaves telling the person to the element. */
@@ -40,6 +41,7 @@ export class Declared {
   #done: string | null = null;
   /** the style last taken from the attribute or given to it */
   #style: Style | null = null;
+  #mode: Mode | null = null;
   #readyDue = false;
   /** that `src` could not be opened */
   #notice: Notice | null = null;
@@ -60,10 +62,11 @@ export class Declared {
     this.#announce();
   }
 
-  /** The declared style wins over that of the drawing. */
+  /** The declared style and mode win over those of the drawing. */
   styled(drawing: Drawing): Drawing {
-    const style = known(this.#host.renderStyle);
-    return style ? { ...drawing, look: { ...drawing.look, style } } : drawing;
+    const style = known(STYLES, this.#host.renderStyle);
+    const mode = known(MODES, this.#host.mode);
+    return { ...drawing, look: { ...drawing.look, ...(style && { style }), ...(mode && { mode }) } };
   }
 
   /** Resolves when no address is being read. */
@@ -116,24 +119,38 @@ export class Declared {
     this.#announce();
   }
 
-  // ── the style ───────────────────────────────────────────────────────────────────────────────────────
+  // ── the style and the mode ──────────────────────────────────────────────────────────────────────────────────
 
   takeStyle(): void {
     const { renderStyle: wanted, session } = this.#host;
-    this.#style = known(wanted);
+    this.#style = known(STYLES, wanted);
     if (this.#style) session.setLook({ style: this.#style });
-    else if (wanted !== null) {
-      const expected = `expected one of ${STYLES.join(', ')}, found ${JSON.stringify(wanted)}`;
-      this.#host.fail(new FileError('rotund-sketch', 'render-style', expected));
-    }
+    else if (wanted !== null) this.#refuse('render-style', STYLES, wanted);
   }
 
-  /** Where a style is declared, it follows what a person chooses. */
-  followStyle(): void {
-    const { style } = this.#host.session.look;
-    if (!this.#style || style === this.#style) return;
-    this.#style = style;
-    this.#host.renderStyle = style;
+  takeMode(): void {
+    const { mode: wanted, session } = this.#host;
+    this.#mode = known(MODES, wanted);
+    if (this.#mode) session.setLook({ mode: this.#mode });
+    else if (wanted !== null) this.#refuse('mode', MODES, wanted);
+  }
+
+  #refuse(attribute: string, choices: readonly string[], found: unknown): void {
+    const expected = `expected one of ${choices.join(', ')}, found ${JSON.stringify(found)}`;
+    this.#host.fail(new FileError('rotund-sketch', attribute, expected));
+  }
+
+  /** What is declared follows what a person chooses. */
+  followLook(): void {
+    const { style, mode } = this.#host.session.look;
+    if (this.#style && style !== this.#style) {
+      this.#style = style;
+      this.#host.renderStyle = style;
+    }
+    if (this.#mode && mode !== this.#mode) {
+      this.#mode = mode;
+      this.#host.mode = mode;
+    }
   }
 
   // ── when it can be seen ─────────────────────────────────────────────────────────────────────────────
@@ -159,4 +176,5 @@ export class Declared {
   }
 }
 
-const known = (style: string | null): Style | null => STYLES.find((name) => name === style) ?? null;
+const known = <T extends string>(choices: readonly T[], found: string | null): T | null =>
+  choices.find((name) => name === found) ?? null;

@@ -4,6 +4,7 @@
  */
 import type { Command } from '../document/command/index.ts';
 import type { Document } from '../document/document.ts';
+import type { Mode } from '../document/look.ts';
 
 /** What a change came from. */
 export type Cause = 'command' | 'undo' | 'redo';
@@ -26,6 +27,11 @@ export interface RenameDetail {
   readonly name: string;
 }
 
+export interface ModeDetail {
+  /** what is seen of bodies */
+  readonly mode: Mode;
+}
+
 export interface ErrorDetail {
   readonly error: unknown;
   /** in a sentence, as text: it may quote a file */
@@ -37,6 +43,7 @@ export interface RotundSketchEventMap extends Omit<HTMLElementEventMap, 'change'
   change: CustomEvent<ChangeDetail>;
   rename: CustomEvent<RenameDetail>;
   select: CustomEvent<SelectDetail>;
+  mode: CustomEvent<ModeDetail>;
   error: CustomEvent<ErrorDetail>;
 }
 
@@ -48,6 +55,9 @@ export const selected = (ids: readonly string[]): CustomEvent<SelectDetail> =>
 
 export const renamed = (name: string): CustomEvent<RenameDetail> =>
   new CustomEvent('rename', { detail: { name } });
+
+export const modeChanged = (mode: Mode): CustomEvent<ModeDetail> =>
+  new CustomEvent('mode', { detail: { mode } });
 
 /** `preventDefault` says that the page tells the person itself: the element shows no notice then. */
 export const failed = (error: unknown): CustomEvent<ErrorDetail> =>

@@ -4,7 +4,10 @@
  */
 import { draftSolids, type Solid, solids } from '../document/build.ts';
 import type { Document } from '../document/document.ts';
+import type { Look } from '../document/look.ts';
+import type { SceneItem } from '../scene/index.ts';
 import type { View } from '../stroke/stroke.ts';
+import { shownBodies } from './exact.ts';
 import type { Session } from './session.ts';
 import { WORDS } from './words.ts';
 
@@ -24,6 +27,10 @@ export class Frames {
   #fitted: View | null = null;
   readonly #session: Session;
   readonly #drawn: () => void;
+  /** rises with every change of what the picture shows, but for the view */
+  version = 0;
+  #items: readonly SceneItem[] = [];
+  #look: Look | null = null;
   #asleep = false;
   #stale = true;
   /** of the request for the next one, or 0 */
@@ -80,7 +87,7 @@ export class Frames {
     this.#last = now;
     const moving = scene?.rig.update(seconds) ?? false;
     if (this.#stale && this.#due) this.#sync();
-    scene?.render();
+    if (!this.#exact(moving)) scene?.render();
     this.#drawn();
     if (moving || this.#stale) this.wake();
   }
@@ -89,7 +96,10 @@ export class Frames {
     const session = this.#session;
     this.#stale = false;
     this.#synced = performance.now();
-    session.scene?.sync(this.#solids(session.shown()).map(({ solid, preview }) => ({ ...solid, preview })));
+    const items = this.#solids(session.shown()).map(({ solid, preview }) => ({ ...solid, preview }));
+    if (!sameItems(items, this.#items)) this.version++;
+    this.#items = items;
+    session.scene?.sync(items);
     // Fitting needs the size of the picture as well as the parts.
     if (this.fit && session.scene && session.size.width > 1 && session.bodies.drafted) this.#showAll();
   }
@@ -102,6 +112,18 @@ export class Frames {
     if (!isElsewhere) session.camera.showAll(false);
     this.fit = !isElsewhere && session.bodies.lacking;
     if (this.fit) this.#fitted = session.view;
+  }
+
+  /** Whether the surface itself is seen, and all is drawn. */
+  #exact(moving: boolean): boolean {
+    const { scene, exact, look, view, bodies } = this.#session;
+    if (!scene || look.mode !== 'exact' || moving || this.#stale || bodies.making) {
+      exact.rest();
+      return false;
+    }
+    if (look !== this.#look) this.version++;
+    this.#look = look;
+    return exact.frame({ scene, bodies: shownBodies(this.#session.shown()), view, version: this.version });
   }
 
   /** A preview that took long waits its turn: the pen has the time before it. */
@@ -134,3 +156,10 @@ export class Frames {
     }
   }
 }
+
+const sameItems = (a: readonly SceneItem[], b: readonly SceneItem[]): boolean =>
+  a.length === b.length &&
+  a.every(({ id, mesh, colour, preview }, i) => {
+    const other = b[i]!;
+    return other.id === id && other.mesh === mesh && other.colour === colour && other.preview === preview;
+  });

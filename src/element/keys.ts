@@ -99,6 +99,8 @@ function looking(key: string, session: Session, actions: KeyActions): boolean {
       return done(session.setLook({ grain: !look.grain }));
     case 'w':
       return done(session.setLook({ wireframe: !look.wireframe }));
+    case 'x':
+      return done(session.setMode(look.mode === 'exact' ? 'mesh' : 'exact'));
     case 'f':
       return done(session.fullScreen());
     case 'Home':

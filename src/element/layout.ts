@@ -140,6 +140,7 @@ export const layout = css`
   .panel h3 { font: 600 0.8125rem/1.125rem var(--font); color: var(--ink-2); display: flex; align-items: center; justify-content: space-between; padding: 0 0.5rem; min-height: 2rem; }
   .panel h3 .value { color: var(--ink); }
   .panel .row { display: flex; align-items: center; justify-content: space-between; width: 100%; min-height: 2.75rem; padding: 0 0.5rem; border-radius: 0.75rem; text-align: left; gap: 0.75rem; }
+  .panel .row[aria-disabled='true'] { color: var(--ink-off); cursor: default; }
   .panel button.row:hover { background: var(--sunken); }
   .panel .slide { padding: 0 0.5rem; }
   .panel dl { display: grid; grid-template-columns: auto 1fr; gap: 0.25rem 1rem; padding: 0 0.5rem 0.5rem; align-items: center; }

@@ -1,5 +1,5 @@
 /** What all panels have in common: a titled card with a way out, and switches. */
-import { html, type TemplateResult } from 'lit';
+import { html, nothing, type TemplateResult } from 'lit';
 import { type Actions, iconButton } from './controls.ts';
 
 export function frame(title: string, extra: string, actions: Actions, body: TemplateResult): TemplateResult {
@@ -10,5 +10,17 @@ export function frame(title: string, extra: string, actions: Actions, body: Temp
   </div>`;
 }
 
-export const toggle = (name: string, on: boolean, set: (on: boolean) => void) =>
-  html`<button class="row" role="switch" aria-checked=${on} @click=${() => set(!on)}>${name}<span class="switch"></span></button>`;
+interface ToggleOptions {
+  /** why it cannot be set now */
+  readonly off?: string | null;
+  readonly title?: string;
+}
+
+export const toggle = (
+  name: string,
+  on: boolean,
+  set: (on: boolean) => void,
+  { off = null, title }: ToggleOptions = {},
+) =>
+  html`<button class="row" role="switch" aria-checked=${on && off === null} aria-disabled=${off === null ? nothing : 'true'}
+    title=${off ?? title ?? nothing} @click=${() => set(!on)}>${name}<span class="switch"></span></button>`;

@@ -52,6 +52,10 @@ function settings(session: Session, actions: Actions): TemplateResult {
       ${toggle('Perspective', perspective, (on) => session.camera.setPerspective(on))}
       ${toggle('Grid', look.grid, (grid) => session.setLook({ grid }))}
       ${toggle('Wireframe', look.wireframe, (wireframe) => session.setLook({ wireframe }))}
+      ${toggle(WORDS.exactSurface, look.mode === 'exact', (on) => session.setMode(on ? 'exact' : 'mesh'), {
+        title: WORDS.exactHint,
+        off: session.hasBodies ? null : WORDS.noBodies,
+      })}
     </section>
     <section>
       <h3>Background <span class="value">${dark?.[1]}</span></h3>

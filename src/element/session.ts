@@ -19,12 +19,13 @@ import {
   undo,
   undoable,
 } from '../document/history.ts';
-import { type Background, DEFAULT_LOOK, type Look, type Style } from '../document/look.ts';
+import { type Background, DEFAULT_LOOK, type Look, type Mode, type Style } from '../document/look.ts';
 import { GROWING, isTooLarge } from '../document/size.ts';
 import type { FieldNode } from '../field/node.ts';
 // Only the pure parts of the scene at once: three.js is fetched when there is a page to draw on.
 import type { Scene } from '../scene/index.ts';
 import { AIR, type Margins } from '../scene/view.ts';
+import { rayAt } from '../stroke/plane.ts';
 import type { View } from '../stroke/stroke.ts';
 import { idle } from '../tool/draw.ts';
 import { selecting } from '../tool/select.ts';
@@ -35,6 +36,8 @@ import { Bodies, type News } from './bodies.ts';
 import { CameraMoves } from './cameraMoves.ts';
 import { draftProblem } from './draftProblem.ts';
 import type { Cause } from './events.ts';
+import { Exact } from './exact.ts';
+import { exactHit } from './exactPick.ts';
 import { Frames } from './frames.ts';
 import type { NoPicture } from './noPicture.ts';
 import { spoken } from './speech.ts';
@@ -61,6 +64,8 @@ export interface Hooks {
   /** the document is another one; undo and redo carry no commands */
   committed(commands: readonly Command[], cause: Cause): void;
   selected(ids: readonly string[]): void;
+  /** bodies are shown otherwise */
+  moded(mode: Mode): void;
 }
 
 export class Session implements Bench, Viewport {
@@ -94,6 +99,7 @@ export class Session implements Bench, Viewport {
   #lastView: View = FRONT_VIEW;
   readonly frames: Frames;
   readonly bodies = new Bodies((news) => this.#bodyNews(news));
+  readonly exact = new Exact(() => this.#exactNews());
   readonly #hooks: Hooks;
 
   constructor(hooks: Hooks) {
@@ -114,7 +120,11 @@ export class Session implements Bench, Viewport {
   }
 
   pick(x: number, y: number, except?: readonly string[]) {
-    return this.scene?.pick(x, y, except) ?? null;
+    const hit = this.scene?.pick(x, y, except) ?? null;
+    if (!hit || this.look.mode !== 'exact') return hit;
+    const part = this.document.parts.filter(isBody).find(({ id }) => id === hit.id);
+    const made = part && bodyMade(part.node);
+    return made ? exactHit(hit, part, rayAt(this.view, this.size, x, y), made) : hit;
   }
 
   focus(ids: readonly string[]): void {
@@ -181,6 +191,12 @@ export class Session implements Bench, Viewport {
     this.update();
   }
 
+  /** There is more to be seen of it, or to be said. */
+  #exactNews(): void {
+    this.#hooks.changed();
+    this.frames.wake();
+  }
+
   #isNewProblem(node: FieldNode): boolean {
     return this.bodies.problem(node) !== null && !this.#told.has(node);
   }
@@ -244,6 +260,7 @@ export class Session implements Bench, Viewport {
     const same = known.length === this.selection.length && known.every((id, i) => id === this.selection[i]);
     if (same) return;
     this.selection = known;
+    this.frames.version++;
     this.scene?.select(known);
     this.update();
     this.#hooks.selected(known);
@@ -424,9 +441,22 @@ export class Session implements Bench, Viewport {
   // ── the picture ─────────────────────────────────────────────────────────────────────────────────────
 
   setLook(change: Partial<Look>): void {
+    const { mode } = this.look;
     this.look = { ...this.look, ...change };
     this.scene?.setLook(this.look);
     this.update();
+    if (this.look.mode !== mode) this.#hooks.moded(this.look.mode);
+  }
+
+  /** There is something that rays can be cast at. */
+  get hasBodies(): boolean {
+    return this.document.parts.some((part) => isBody(part) && !part.hidden);
+  }
+
+  setMode(mode: Mode): void {
+    this.said = this.hasBodies ? WORDS.mode[mode] : WORDS.noBodies;
+    if (this.hasBodies) this.setLook({ mode });
+    else this.update();
   }
 
   setStyle(style: Style, name: string): void {
@@ -446,6 +476,7 @@ export class Session implements Bench, Viewport {
   attach(scene: Scene): void {
     if (this.scene !== scene) this.scene?.dispose();
     this.scene = scene;
+    this.frames.version++;
     scene.rig.setView(this.#lastView, false);
     scene.setLook(this.look);
     scene.select(this.selection);
@@ -454,6 +485,7 @@ export class Session implements Bench, Viewport {
 
   detach(): void {
     this.frames.stop();
+    this.exact.stop();
     this.#lastView = this.view;
     this.scene?.dispose();
     this.scene = null;
@@ -470,14 +502,28 @@ export class Session implements Bench, Viewport {
     return this.state.preview?.(this) ?? this.document;
   }
 
+  /** What rays do, or did. */
+  get #exactDetail(): string {
+    const { share, evaluationsAPixel, problem } = this.exact;
+    if (this.look.mode !== 'exact' || !this.hasBodies) return '';
+    if (problem !== null) return WORDS.notExact;
+    if (share !== null) return WORDS.casting(Math.round(100 * share));
+    return evaluationsAPixel === null ? '' : WORDS.exact(evaluationsAPixel);
+  }
+
   /** What the second line of the status shows. */
   get detail(): string {
     const last = this.document.parts.at(-1);
     const kind = readingOf(this.document) ?? last?.kind;
     if (!kind) return '';
     const body = last && isBody(last) ? bodyMade(last.node) : null;
-    if (kind === 'body') return [SURFACE.body.name, body ? `${body.cells} cells` : []].flat().join(' · ');
     const grid = `${RESOLUTION.u} × ${RESOLUTION.v} mesh`;
-    return `${SURFACE[kind].name} · ${grid}`;
+    const mesh = kind !== 'body' ? grid : body ? `mesh of ${body.cells} cells` : '';
+    return [SURFACE[kind].name, this.#exactDetail || mesh].filter(Boolean).join(' · ');
+  }
+
+  /** ms that the surface took which is seen */
+  get surfaceTime(): number {
+    return this.exact.evaluationsAPixel === null ? this.frames.buildTime : this.exact.milliseconds;
   }
 }

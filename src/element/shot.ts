@@ -5,6 +5,8 @@ import {
   BACKGROUNDS,
   type Background,
   type Look,
+  MODES,
+  type Mode,
   PICTURE_SIDE,
   STYLES,
   type Style,
@@ -34,6 +36,8 @@ export interface Shot {
   /** a side or a direction, from which the whole model is framed; without it as one looks now */
   readonly camera?: Face | Angles;
   readonly style?: Style;
+  /** what is seen of bodies */
+  readonly mode?: Mode;
   readonly background?: Background;
 }
 
@@ -57,6 +61,7 @@ export function pictureOptions(shot: Shot, now: Now): PictureOptions {
   const width = pixels('width', shot.width ?? now.width);
   const height = pixels('height', shot.height ?? now.height);
   const style = oneOf('style', STYLES, shot.style ?? now.look.style);
+  const mode = oneOf('mode', MODES, shot.mode ?? now.look.mode);
   const background = oneOf('background', BACKGROUNDS, shot.background ?? now.look.background);
   const items = solids(now.document).map((solid) => ({ ...solid, preview: false }));
   const meshes = items.map(({ mesh }) => mesh);
@@ -65,7 +70,7 @@ export function pictureOptions(shot: Shot, now: Now): PictureOptions {
   const turned = { ...now.view, rotation };
   const frame = box !== null && (shot.camera !== undefined || now.fit);
   const view = frame ? fitted(turned, box, width / height) : whole(turned, meshes, width / height);
-  return { width, height, view, look: { ...now.look, style, background }, items };
+  return { width, height, view, look: { ...now.look, style, mode, background }, items };
 }
 
 /** width over height: the picture a view is expected to be seen in */

@@ -1,4 +1,5 @@
 /** The frame of a leaf that a matrix has moved: points go back into it, values and gradients come out of it. */
+import type { Vec3 } from '../math/vec.ts';
 import type { Affine } from './affine.ts';
 import { stretches } from './affine.ts';
 
@@ -29,6 +30,12 @@ export class LeafFrame {
     this.x = m[0] * x + m[1] * y + m[2] * z + m[3];
     this.y = m[4] * x + m[5] * y + m[6] * z + m[7];
     this.z = m[8] * x + m[9] * y + m[10] * z + m[11];
+  }
+
+  /** A direction. */
+  along([x, y, z]: Vec3): Vec3 {
+    const m = this.back;
+    return [m[0] * x + m[1] * y + m[2] * z, m[4] * x + m[5] * y + m[6] * z, m[8] * x + m[9] * y + m[10] * z];
   }
 
   /** By how much the place of a point within `radius` of (x, y, z) is off when it is rounded. */

@@ -41,6 +41,9 @@ export const branchOf = (node: number, face = 0): number => FACES * node + face;
 /** Whether it is a face of that node. */
 export const isFaceOf = (node: number, branch: number): boolean => Math.floor(branch / FACES) === node;
 
+/** The unit direction of a ray. */
+export type Ray = Vec3;
+
 export interface Near {
   /** all values in the cube lie between them */
   readonly low: number;
@@ -67,6 +70,12 @@ export interface Near {
   holds(branch: number): boolean;
   /** Value and gradient of that field, also beyond the crease. */
   onBranch(branch: number, x: number, y: number, z: number, out: FieldValue): void;
+  /** Looks along a ray from a point in the cube on, as far as `reach` mm: returns the value there. What was seen is kept till the next look. */
+  look(ray: Ray, x: number, y: number, z: number, reach: number): number;
+  /** How far from there on the value surely keeps its sign, mm. */
+  clear(): number;
+  /** Writes [low, high] of the values from there on over t mm, at most `reach`. */
+  ahead(t: number, out: Float64Array): void;
   /** In a cube within this one, about (x, y, z) with edges of 2 `half`; surfaces may be off by `missed` mm, nearly. */
   within(x: number, y: number, z: number, half: number, missed: number): Near;
   /**

@@ -4,6 +4,7 @@ import type { BoundTerm } from './boundTerm.ts';
 import type { LeafFrame } from './leafFrame.ts';
 import type { Far, Tally } from './near.ts';
 import type { Colour } from './node.ts';
+import type { SumSight } from './sumSight.ts';
 
 /** A term with its number in the sum. */
 export interface NearTerm extends BoundTerm {
@@ -46,6 +47,7 @@ export interface WholeSum {
   /** whether it is known how what is missed falls within a ball */
   readonly isCubic: boolean;
   readonly first: Colour;
+  readonly sight: SumSight;
 }
 
 /** parts of what is missed that do not fall with the distance: of sources (skeleton/spread.ts) */

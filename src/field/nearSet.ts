@@ -14,10 +14,18 @@ import {
   isFaceOf,
   type Near,
   type NearLeaf,
+  type Ray,
   type Way,
 } from './near.ts';
 import { type Colour, commonColour } from './node.ts';
 import type { Operation } from './operation.ts';
+
+/** of what a ray has before it: tries of blends, shorter each, until it is next to nothing */
+const SHORTER = 0.5;
+const SHORTEST = 1e-7;
+
+const partRange = new Float64Array(2);
+const blendRange = new Float64Array(2);
 
 /** A part that was left out. */
 interface Dropped {
@@ -50,6 +58,9 @@ export class NearSet implements Near {
   readonly #operation: Operation;
   readonly #kind: Kind;
   readonly #scratch = new Scratch();
+  /** the last look along a ray: the values of the parts, with their signs */
+  readonly #seen: number[] = [];
+  #reach = 0;
 
   constructor(
     parts: readonly Near[],
@@ -119,6 +130,39 @@ export class NearSet implements Near {
     if (this.#kind === 'subtraction' && at > 0) {
       for (let i = 0; i < 4; i++) out[i] = -out[i]!;
     }
+  }
+
+  look(ray: Ray, x: number, y: number, z: number, reach: number): number {
+    const [outer, sign] = signsOf(this.#kind);
+    const seen = this.#seen;
+    this.#reach = reach;
+    this.#parts.forEach((part, i) => {
+      seen[i] = (i === 0 ? outer : sign) * part.look(ray, x, y, z, reach);
+    });
+    return outer * seen.reduce((a, b) => this.#operation.value(a, b));
+  }
+
+  /** What is 0 where the largest part is has the sign of that: below 0 all keep theirs, above it one is enough. */
+  clear(): number {
+    if (!this.#operation.isExtreme) return this.#clearBlend();
+    const isAbove = this.#seen.some((value) => value > 0);
+    const ways = this.#parts.map((part, i) => (isAbove === this.#seen[i]! > 0 ? part.clear() : 0));
+    return isAbove ? Math.max(...ways) : Math.min(...ways);
+  }
+
+  ahead(t: number, out: Float64Array): void {
+    this.#combine((part) => {
+      part.ahead(t, partRange);
+      return { low: partRange[0]!, high: partRange[1]! };
+    }, out);
+  }
+
+  #clearBlend(): number {
+    for (let t = this.#reach; t > SHORTEST * this.#reach; t *= SHORTER) {
+      this.ahead(t, blendRange);
+      if (blendRange[0]! > 0 || blendRange[1]! < 0) return t;
+    }
+    return 0;
   }
 
   within(x: number, y: number, z: number, half: number, missed: number): Near {
@@ -218,11 +262,18 @@ export class NearSet implements Near {
   }
 
   #range(): Float64Array {
+    const range = new Float64Array(2);
+    this.#combine((part) => part, range);
+    return range;
+  }
+
+  /** From the range of each part that of all. */
+  #combine(rangeOf: (part: Near) => Range, out: Float64Array): void {
     const [outer, sign] = signsOf(this.#kind);
     const [first, ...rest] = this.#parts;
-    const range = turned(first!, outer);
-    for (const part of rest) this.#operation.range(range, turned(part, sign), range);
-    return turned({ low: range[0]!, high: range[1]! }, outer);
+    const range = turned(rangeOf(first!), outer);
+    for (const part of rest) this.#operation.range(range, turned(rangeOf(part), sign), range);
+    out.set(turned({ low: range[0]!, high: range[1]! }, outer));
   }
 }
 

@@ -2,6 +2,7 @@
 import type { Facets } from '../shape/shape.ts';
 import type { FieldValue } from '../skeleton/skeleton.ts';
 import { WITH_GRADIENT } from '../skeleton/work.ts';
+import { clearAlong, rangeAlong } from './cubeSight.ts';
 import type { LeafFrame } from './leafFrame.ts';
 import {
   type BrickCorners,
@@ -10,6 +11,7 @@ import {
   isFaceOf,
   type Near,
   type NearLeaf,
+  type Ray,
   rangesApart,
   type Tally,
   type Way,
@@ -25,7 +27,8 @@ export function nearShape(
   frame: LeafFrame | null,
   tally: Tally,
 ): Near {
-  const whole = { field, colour, facets, frame, tally, leaf: tally.leaf() };
+  const sight = { ray: AHEAD, at: new Float64Array(3), first: 0 };
+  const whole = { field, colour, facets, frame, tally, leaf: tally.leaf(), sight };
   return new NearShape(whole, -Infinity, Infinity);
 }
 
@@ -36,9 +39,14 @@ interface Whole {
   readonly frame: LeafFrame | null;
   readonly tally: Tally;
   readonly leaf: number;
+  /** the last look along a ray */
+  readonly sight: { ray: Ray; readonly at: Float64Array; first: number };
 }
 
 const range = new Float64Array(2);
+const AHEAD: Ray = [1, 0, 0];
+/** of a distance: the cube around so much of a ray mostly holds no surface */
+const NEARER = 0.7;
 
 class NearShape implements Near {
   readonly low: number;
@@ -117,6 +125,31 @@ class NearShape implements Near {
     this.#whole.field.range(x, y, z, half, range);
     return new NearShape(this.#whole, range[0]!, range[1]!);
   }
+
+  /** Distances tell how far it is at least; the first of two tries. */
+  look(ray: Ray, x: number, y: number, z: number, reach: number): number {
+    const { sight, frame } = this.#whole;
+    const value = this.value(x, y, z);
+    sight.ray = ray;
+    sight.at.set([x, y, z]);
+    sight.first = Math.min(reach, (NEARER * Math.abs(value)) / (frame?.scale ?? 1));
+    return value;
+  }
+
+  clear(): number {
+    const { at, ray, first } = this.#whole.sight;
+    return clearAlong(this.#range, at, ray, first);
+  }
+
+  ahead(t: number, out: Float64Array): void {
+    const { at, ray } = this.#whole.sight;
+    rangeAlong(this.#range, at, ray, t, out);
+  }
+
+  readonly #range = (x: number, y: number, z: number, half: number, out: Float64Array): void => {
+    this.#whole.tally.work += 1;
+    this.#whole.field.range(x, y, z, half, out);
+  };
 
   corners(nodes: BrickCorners, out: Float64Array): number {
     return nodes.exact(this, out);

@@ -16,6 +16,7 @@ import {
   isFaceOf,
   type Near,
   type NearLeaf,
+  type Ray,
   rangesApart,
   type Tally,
   type Way,
@@ -24,6 +25,7 @@ import { cut, MOST_MISSED } from './nearCut.ts';
 import { addColour, missedAt, type NearList, type NearTerm, type WholeSum } from './nearList.ts';
 import { type Colour, commonColour } from './node.ts';
 import { changeWithin } from './sumChange.ts';
+import { SumSight } from './sumSight.ts';
 
 const ORIGIN: Vec3 = [0, 0, 0];
 
@@ -50,6 +52,7 @@ export function nearSum(
     plain,
     isCubic: terms.every(({ field }) => field.isCubic),
     first: terms[0]!.colour,
+    sight: new SumSight(frame, tally),
   };
   const taylor = new Float64Array(TAYLOR);
   taylor[0] = -threshold;
@@ -158,6 +161,18 @@ class NearSum implements Near {
   get mostMissed(): number {
     const { threshold, steep } = this.#whole;
     return (MOST_MISSED * threshold) / steep;
+  }
+
+  look(ray: Ray, x: number, y: number, z: number, reach: number): number {
+    return this.#whole.sight.look(this.#list, ray, x, y, z, reach);
+  }
+
+  clear(): number {
+    return this.#whole.sight.clear(this);
+  }
+
+  ahead(t: number, out: Float64Array): void {
+    this.#whole.sight.range(this, t, out);
   }
 
   effect(newer: Near, changes: Changes, x: number, y: number, z: number, cube: number): number {

@@ -2,6 +2,7 @@
 
 import { scale3 as scaled } from '../math/tuple.ts';
 import type { Vec3 } from '../math/vec.ts';
+import { AHEAD, type Ahead, BEND, clearAhead, LOOSE, POWER, WIDTH } from '../skeleton/ahead.ts';
 import { Ball } from '../skeleton/ball.ts';
 import { type Box, type FieldValue, type SkelField, SPREAD, type Spread } from '../skeleton/skeleton.ts';
 import { addMapped, TAYLOR, type Taylor } from '../skeleton/taylor.ts';
@@ -45,6 +46,8 @@ export class Warped implements SkelField {
   readonly box: Box;
   readonly isCubic = false;
   readonly #local = new Float64Array(TAYLOR);
+  readonly #ahead = new Float64Array(AHEAD);
+  readonly #ball = new Ball();
 
   constructor(skel: SkelField, frame: Frame, section: Section, bx: number, by: number) {
     this.#skel = skel;
@@ -98,6 +101,39 @@ export class Warped implements SkelField {
   missed(ball: Ball, most: number): number {
     const missed = this.#skel.missed(this.#see(ball), most);
     return seen.isLinear || missed === 0 ? missed : Infinity;
+  }
+
+  /** By what derivatives and bends of the map come to, up to half the way to the axis. */
+  ahead({ x, y, z, radius: along }: Ball, factor: number, out: Ahead): void {
+    const ball = this.#ball;
+    this.#see(ball.set(x, y, z, 0));
+    const rho = Math.sqrt(seen.qx * seen.qx + seen.qy * seen.qy);
+    const reach = Math.min(along, 0.5 * rho * Math.min(this.#bx, this.#by));
+    const within = this.#see(ball.set(x, y, z, reach));
+    this.add(x, y, z, factor, out);
+    const by = this.#steepest() + (seen.bend > 0 ? seen.bend / reach : 0);
+    if (!(reach > 0 && by < Infinity)) {
+      out[WIDTH] = 0;
+      return;
+    }
+    const local = this.#ahead;
+    clearAhead(local);
+    within.radius = by * reach;
+    this.#skel.ahead(within, factor, local);
+    const across = Math.sqrt(local[1]! * local[1]! + local[2]! * local[2]!);
+    out[LOOSE] = out[LOOSE]! + local[LOOSE]! * by * by;
+    out[BEND] = out[BEND]! + local[BEND]! * by * by + (2 * across * seen.bend) / (reach * reach);
+    out[WIDTH] = Math.min(out[WIDTH]!, local[WIDTH]! / by, reach < along ? reach : Infinity);
+    if (local[LOOSE]! > 0) out[POWER] = local[POWER]!;
+  }
+
+  /** How far the map stretches at the place seen, at most. */
+  #steepest(): number {
+    const [m, mx, my] = [this.#stretch[0]!, this.#stretch[1]!, this.#stretch[2]!];
+    const { qx, qy } = seen;
+    const x = [(m + qx * mx) / this.#bx, (qx * my) / this.#by];
+    const y = [(qy * mx) / this.#bx, (m + qy * my) / this.#by];
+    return Math.max(Math.sqrt([...x, ...y].reduce((sum, d) => sum + d * d, 0)), 1);
   }
 
   apart(): number {

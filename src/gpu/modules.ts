@@ -26,6 +26,8 @@ export function fieldModules(ingredients: Ingredients): Modules {
     term: `#import field/${ingredients.sections.size > 0 ? 'warpedTerm' : 'plainTerm'}\n`,
     // all terms of a sum, always; who knows which ones matter takes another
     list: '#import field/wholeList\n',
+    // how far a skel was, for those who cast rays
+    distance: '#import skeleton/unseen\n',
     shape: shapeModule(namesOf(ingredients, 'shapes')),
     shapes: sidedShapes(namesOf(ingredients, 'shapes')),
     operation: operationModule(namesOf(ingredients, 'operations')),

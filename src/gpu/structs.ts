@@ -125,6 +125,11 @@ export const LEAF = record('Leaf', {
   most: 'f32',
   /** of its terms, in their order */
   bounds: 'u32',
+  /** n of (core + r²)^(−n/2), where all terms are points or lines of that kernel, each with a weight of one sign; else 0 */
+  power: 'f32',
+  core: 'f32',
+  /** whole rows */
+  unused: 'vec2f',
 });
 
 /** What bounds on a term know of it, once; kernel units. */

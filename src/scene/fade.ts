@@ -3,7 +3,7 @@
  * laid over those of the other, ever lighter. Departure: pictures are blended, not meshes: nothing has to be sorted, no line is
  * drawn twice, and every style fades alike, as long as the camera rests.
  */
-import { screenUV, texture, uniform, vec4 } from 'three/tsl';
+import { float, screenUV, texture, uniform, vec4 } from 'three/tsl';
 import {
   CustomBlending,
   type Node,
@@ -14,14 +14,19 @@ import {
 } from 'three/webgpu';
 import { makeOutput } from './targets.ts';
 
+/** of the picture's height */
+const BORDER = 0.01;
+
 export class Fade {
   /** the picture that is kept; takes no memory worth naming while there is none */
   readonly kept: RenderTarget = makeOutput();
   readonly over: NodeMaterial;
+  /** rows from the top, 0–1, below which nothing else is seen */
+  readonly known = uniform(1);
   readonly #opacity = uniform(0);
 
   constructor() {
-    this.over = overMaterial(this.kept, this.#opacity);
+    this.over = overMaterial(this.kept, this.#opacity, this.known);
   }
 
   /** Of the picture that is kept, 0–1. */
@@ -40,7 +45,9 @@ export class Fade {
   }
 }
 
-function overMaterial(kept: RenderTarget, opacity: Node<'float'>): NodeMaterial {
+function overMaterial(kept: RenderTarget, share: Node<'float'>, known: Node<'float'>): NodeMaterial {
+  // a kernel that finds lines looks a few pixels across the border
+  const opacity = screenUV.y.add(BORDER).greaterThan(known).and(known.lessThan(1)).select(float(1), share);
   const material = new NodeMaterial();
   material.name = 'the picture before';
   material.depthTest = false;

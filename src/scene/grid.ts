@@ -18,7 +18,7 @@ import {
   Vector3,
 } from 'three/webgpu';
 import type { View } from '../stroke/stroke.ts';
-import { pixelWidth } from './toon.ts';
+import { pixelWidth } from './surface.ts';
 
 /** CSS pixels between two lines, at least */
 const LEAST_DISTANCE = 24;

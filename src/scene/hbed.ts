@@ -10,9 +10,9 @@
  * The contour of toon wants one width in all directions, which none of the four has (C: 1 to 1.41 offsets): it
  * takes the largest second difference over four diameters of a circle.
  */
-import { float, positionView, screenUV, smoothstep, texture, uniform, vec2, vec4 } from 'three/tsl';
-import { DoubleSide, type Node, NodeMaterial, type Texture, Vector2 } from 'three/webgpu';
-import { facingNormal } from './light.ts';
+import { float, screenUV, smoothstep, texture, uniform, vec2, vec4 } from 'three/tsl';
+import { type Node, NodeMaterial, type Texture, Vector2 } from 'three/webgpu';
+import type { Surface } from './surface.ts';
 
 export type Kernel = 'A' | 'B' | 'C' | 'D' | 'contour';
 
@@ -85,17 +85,14 @@ export class LineUniforms {
 }
 
 /** First pass: the normal as N/2 + ½ in red, green, blue; depth 0–1 in alpha. */
-export function lineMaterial(uniforms: LineUniforms): NodeMaterial {
-  const material = new NodeMaterial();
-  material.name = 'normals and depth';
-  material.side = DoubleSide;
-  material.fragmentNode = vec4(facingNormal.mul(0.5).add(0.5), sceneDepth(uniforms));
-  return material;
-}
+export const lineMaterial = (surface: Surface, uniforms: LineUniforms): NodeMaterial =>
+  surface.material('normals and depth', () =>
+    vec4(surface.normal.mul(0.5).add(0.5), sceneDepth(surface, uniforms)),
+  );
 
 /** 0 at the near side of the scene's sphere, 1 at the far side. */
-export function sceneDepth(uniforms: LineUniforms): Node<'float'> {
-  return positionView.z.negate().sub(uniforms.depthRange.x).div(uniforms.depthRange.y);
+export function sceneDepth(surface: Surface, uniforms: LineUniforms): Node<'float'> {
+  return surface.z.negate().sub(uniforms.depthRange.x).div(uniforms.depthRange.y);
 }
 
 /**

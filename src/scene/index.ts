@@ -7,6 +7,7 @@ import { type Hit, pick } from './pick.ts';
 import { type PictureOptions, Studio, takePicture } from './picture.ts';
 import { FINE_LINE_TEXELS, LINE_TEXELS, LINE_TEXELS_IN_SOFTWARE, Pipeline } from './pipeline.ts';
 import { type Backend, createRenderer, type SceneRenderer } from './renderer.ts';
+import type { SurfaceImage } from './surfaceImage.ts';
 
 export type { DeviceDescription } from '../gpu/device.ts';
 export { CameraRig } from './cameraRig.ts';
@@ -16,6 +17,7 @@ export type { SceneItem } from './part.ts';
 export type { Hit } from './pick.ts';
 export type { PictureOptions } from './picture.ts';
 export type { Backend } from './renderer.ts';
+export type { SurfaceImage } from './surfaceImage.ts';
 export { type Face, FRONT_VIEW } from './view.ts';
 
 export interface Scene {
@@ -45,8 +47,17 @@ export interface Scene {
   resize(width: number, height: number, devicePixelRatio: number): void;
   /** CSS pixels from the upper left; previews too, the id tells; items with the ids of `except` are looked through */
   pick(x: number, y: number, except?: readonly string[]): Hit | null;
+  /** of the picture, device pixels */
+  readonly pixels: { readonly width: number; readonly height: number };
   /** One frame, now. */
   render(): void;
+  /**
+   * The last frame once more, with surfaces from an image in place of the triangles of some items: from the mean of this picture and of those
+   * before it since that frame, whose places in the pixel were others. The view and all else must be as they were. False where there was no frame.
+   */
+  refine(image: SurfaceImage, how?: Refining): boolean;
+  /** Images in the mean of pictures that is seen, 0: triangles only; null: there is no frame, or another look or size undid it. */
+  readonly refined: number | null;
   /**
    * Keeps the picture of the last frame: it lies over the frames to come, as `fade` says, until the look or the size changes.
    * False where there is none.
@@ -64,6 +75,13 @@ export interface Scene {
   /** Draws a frame and resolves when it is on the screen with all its pipelines compiled. */
   compile(): Promise<void>;
   dispose(): void;
+}
+
+export interface Refining {
+  /** images after which nothing is seen any more of the frame with triangles */
+  readonly enough?: number;
+  /** how much of the image is there, 0–1 from the top: the rest shows that frame */
+  readonly known?: number;
 }
 
 export interface SceneOptions {
@@ -147,6 +165,14 @@ function makeScene(made: SceneRenderer, options: SceneOptions): Scene {
       // What the self-test did not find out shows at the first frame.
       else made.watched(async () => draw()).catch(fail);
       if (drawing === 'not yet') drawing = 'begun';
+    },
+    get pixels() {
+      return pipeline.pixels;
+    },
+    refine: (image, how) =>
+      made.gone === null && drawing === 'begun' && pipeline.refine(rig.camera, rig.view(), image, how),
+    get refined() {
+      return pipeline.refined;
     },
     keep: () => made.gone === null && drawing === 'begun' && pipeline.keep(),
     fade(share) {

@@ -5,10 +5,11 @@
  *
  * On dark paper the drawing is heightened with chalk: the lit bands are painted, the shade is bare.
  */
-import { float, mx_noise_float, positionGeometry, uniform, vec3, vec4 } from 'three/tsl';
-import { DoubleSide, type Node, NodeMaterial, Vector3 } from 'three/webgpu';
-import { facingNormal, LIGHT } from './light.ts';
-import { BAND_STEP, band, LOWEST_BAND, pixelWidth, THRESHOLDS } from './toon.ts';
+import { float, mx_noise_float, uniform, vec3, vec4 } from 'three/tsl';
+import { type Node, type NodeMaterial, Vector3 } from 'three/webgpu';
+import { LIGHT } from './light.ts';
+import type { Surface } from './surface.ts';
+import { BAND_STEP, bandOf, LOWEST_BAND, THRESHOLDS } from './toon.ts';
 
 /** opacity of the washes for the bands .1 .3 .5 .7 */
 const WASH = [0.52, 0.33, 0.16, 0];
@@ -26,19 +27,20 @@ export class InkUniforms {
   readonly radius = uniform(100);
 }
 
-export function inkMaterial(uniforms: InkUniforms): NodeMaterial {
-  const wash = perBand(WASH).mul(uniforms.chalk.oneMinus()).add(perBand(CHALK).mul(uniforms.chalk));
-  const opacity = wash.mul(blotches(uniforms)).add(driedBorder().mul(uniforms.chalk.oneMinus())).clamp(0, 1);
-  const material = new NodeMaterial();
-  material.name = 'ink wash';
-  material.side = DoubleSide;
-  // premultiplied; what lies behind the form is hidden, not seen through the wash
-  material.fragmentNode = vec4(uniforms.colour.mul(opacity), opacity);
-  return material;
+export function inkMaterial(surface: Surface, uniforms: InkUniforms): NodeMaterial {
+  return surface.material('ink wash', () => {
+    const band = bandOf(surface).toVar();
+    const bare = uniforms.chalk.oneMinus();
+    const wash = perBand(band, WASH).mul(bare).add(perBand(band, CHALK).mul(uniforms.chalk));
+    const border = driedBorder(surface).mul(bare);
+    const opacity = wash.mul(blotches(surface, uniforms)).add(border).clamp(0, 1);
+    // premultiplied; what lies behind the form is hidden, not seen through the wash
+    return vec4(uniforms.colour.mul(opacity), opacity);
+  });
 }
 
 /** Piecewise linear through the four bands, so that a border smoothed in `band` is smoothed here too. */
-function perBand(values: readonly number[]): Node<'float'> {
+function perBand(band: Node<'float'>, values: readonly number[]): Node<'float'> {
   const place = band.sub(LOWEST_BAND).div(BAND_STEP);
   let result: Node<'float'> = float(values[0] ?? 0);
   for (let i = 1; i < values.length; i++) {
@@ -53,8 +55,8 @@ function perBand(values: readonly number[]): Node<'float'> {
   return result;
 }
 
-function blotches(uniforms: InkUniforms): Node<'float'> {
-  const place = positionGeometry.mul(float(BLOTCHES).div(uniforms.radius)).toVarying('rotund_blotch');
+function blotches(surface: Surface, uniforms: InkUniforms): Node<'float'> {
+  const place = surface.place.mul(float(BLOTCHES).div(uniforms.radius)).toVar();
   // Stretched along the diagonal, the way a brush is led.
   const led = vec3(place.x.add(place.y).mul(0.5), place.x.sub(place.y), place.z);
   const noise = mx_noise_float(led)
@@ -63,9 +65,9 @@ function blotches(uniforms: InkUniforms): Node<'float'> {
   return noise.mul(BLOTCH).add(1);
 }
 
-function driedBorder(): Node<'float'> {
-  const facing = facingNormal.dot(LIGHT).toVar();
-  const width = pixelWidth(facing);
+function driedBorder(surface: Surface): Node<'float'> {
+  const facing = surface.normal.dot(LIGHT).toVar();
+  const width = surface.change(LIGHT).toVar();
   let border: Node<'float'> = float(0);
   for (const threshold of THRESHOLDS) {
     border = border.max(facing.sub(threshold).abs().div(width).oneMinus().clamp(0, 1));

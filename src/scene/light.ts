@@ -42,7 +42,7 @@ export const SHININESS = 40;
 export const partColour = userData('colour', 'vec3') as unknown as Node<'vec3'>;
 
 /** Linear light, 0–1 → display values (sRGB's own curve). */
-function displayed(linear: Node<'vec3'>): Node<'vec3'> {
+export function displayed(linear: Node<'vec3'>): Node<'vec3'> {
   const curve = linear
     .max(0)
     .pow(1 / 2.4)
@@ -74,14 +74,17 @@ const interpolatedNormal = interpolated(vertexNormal, 'rotund_normal');
 
 // 1 in perspective, 0 in orthographic projection
 const perspective = cameraProjectionMatrix.mul(vec4(0, 0, 1, 0)).w.negate();
-const towardsEye = positionView
-  .negate()
-  .mul(perspective)
-  .add(vec3(0, 0, perspective.oneMinus()))
-  .normalize();
+
+/** From a place in view space, unit. */
+export const eyeFrom = (place: Node<'vec3'>): Node<'vec3'> =>
+  place
+    .negate()
+    .mul(perspective)
+    .add(vec3(0, 0, perspective.oneMinus()))
+    .normalize();
 
 /** Sine of the angle to the outline within which a back face keeps its outward normal. */
-const RIM = 0.15;
+export const RIM = 0.15;
 
 /**
  * The unit normal that faces the viewer, view space, of the fragment stage. At poles and tips interpolation may
@@ -93,6 +96,6 @@ const RIM = 0.15;
  */
 export const facingNormal = Fn(() => {
   const outward = interpolatedNormal.div(interpolatedNormal.length().max(1e-6)).toVar();
-  const turnedAway = frontFacing.not().and(outward.dot(towardsEye).lessThan(-RIM));
+  const turnedAway = frontFacing.not().and(outward.dot(eyeFrom(positionView)).lessThan(-RIM));
   return turnedAway.select(outward.negate(), outward);
 })().toVar();

@@ -1,13 +1,16 @@
 /** The materials of all passes: made when first used, kept for the life of the scene. */
-import type { NodeMaterial, RenderTarget, Texture } from 'three/webgpu';
+import type { NodeMaterial, RenderTarget, Texture, WebGPURenderer } from 'three/webgpu';
 import { edgeMaterial, type Kernel, type LineUniforms, lineMaterial } from './hbed.ts';
+import type { ImageInputs } from './imageInputs.ts';
+import { imageSurface, type Kept } from './imageSurface.ts';
 import { type InkUniforms, inkMaterial } from './ink.ts';
 import type { Style } from './look.ts';
 import { type PageUniforms, pageMaterial } from './page.ts';
 import type { PartMaterials } from './part.ts';
 import { previewMaterial } from './preview.ts';
 import { type SelectionUniforms, seenMaterial, silhouetteMaterial } from './selection.ts';
-import { gouraudMaterial, phongMaterial } from './shading.ts';
+import { evenMaterial, gouraudMaterial, phongMaterial } from './shading.ts';
+import { type Surface, triangles } from './surface.ts';
 import type { Targets } from './targets.ts';
 import { occluderMaterial, toonMaterial, wireMaterial } from './toon.ts';
 
@@ -16,7 +19,11 @@ export interface Uniforms {
   readonly ink: InkUniforms;
   readonly page: PageUniforms;
   readonly selection: SelectionUniforms;
+  readonly image: ImageInputs;
 }
+
+/** Where a surface comes from. */
+export type From = 'plain' | 'painted' | 'image';
 
 export class Materials implements PartMaterials {
   readonly line: NodeMaterial;
@@ -29,38 +36,62 @@ export class Materials implements PartMaterials {
   readonly #uniforms: Uniforms;
   readonly #targets: Targets;
   readonly #grain: Texture;
+  readonly #renderer: WebGPURenderer;
   readonly #made = new Map<string, NodeMaterial>();
+  readonly #surfaces = new Map<string, Surface>();
 
-  constructor(uniforms: Uniforms, targets: Targets, grain: Texture) {
+  constructor(renderer: WebGPURenderer, uniforms: Uniforms, targets: Targets, grain: Texture) {
     const { lines, page } = uniforms;
+    const plain = triangles(false);
+    this.#renderer = renderer;
     this.#uniforms = uniforms;
     this.#targets = targets;
     this.#grain = grain;
-    this.line = this.#once('line', () => lineMaterial(lines));
-    this.occluder = this.#once('occluder', occluderMaterial);
+    this.line = this.#once('line', () => lineMaterial(plain, lines));
+    this.occluder = this.#once('occluder', () => occluderMaterial(plain));
     this.wire = this.#once('wire', () => wireMaterial(page.line, true));
     this.lineWire = this.#once('line wire', () => wireMaterial(page.line, false));
-    this.silhouette = this.#once('silhouette', silhouetteMaterial);
-    this.seen = this.#once('seen', seenMaterial);
+    this.silhouette = this.#once('silhouette', () => silhouetteMaterial(plain));
+    this.seen = this.#once('seen', () => seenMaterial(plain));
     this.preview = this.#once('preview', () => previewMaterial(targets.edges.texture, lines, page));
   }
 
-  /** What parts are filled with; `painted`: each vertex has a colour of its own. Ink and lines have none. */
-  fill(style: Style, painted: boolean): NodeMaterial {
-    const once = (make: (painted: boolean) => NodeMaterial) =>
-      this.#once(painted ? `${style} painted` : style, () => make(painted));
+  /** What parts are filled with. Ink and lines have no colours of their own. */
+  fill(style: Style, from: From): NodeMaterial {
+    const once = (make: (surface: Surface) => NodeMaterial) =>
+      this.#once(`${style} ${from}`, () => make(this.#surface(from)));
     switch (style) {
       case 'toon':
         return once(toonMaterial);
       case 'gouraud':
-        return once(gouraudMaterial);
+        return from === 'image' ? once(evenMaterial) : once(() => gouraudMaterial(from === 'painted'));
       case 'phong':
         return once(phongMaterial);
       case 'hbed-ink':
-        return this.#once(style, () => inkMaterial(this.#uniforms.ink));
+        return from === 'painted'
+          ? this.fill(style, 'plain')
+          : once((surface) => inkMaterial(surface, this.#uniforms.ink));
       case 'hbed-lines':
-        return this.occluder;
+        return from === 'image' ? this.ofImage('occluder') : this.occluder;
     }
+  }
+
+  /** What the image of surfaces is drawn with, beside what fills it. */
+  ofImage(pass: 'line' | 'occluder' | 'silhouette' | 'others' | 'seen'): NodeMaterial {
+    return this.#once(`${pass}, of the image`, () => {
+      switch (pass) {
+        case 'line':
+          return lineMaterial(this.#surface('image'), this.#uniforms.lines);
+        case 'occluder':
+          return occluderMaterial(this.#surface('image'));
+        case 'silhouette':
+          return silhouetteMaterial(this.#surface('image', 'selected'));
+        case 'others':
+          return occluderMaterial(this.#surface('image', 'others'));
+        case 'seen':
+          return seenMaterial(this.#surface('image', 'selected'));
+      }
+    });
   }
 
   edges(kernel: Kernel): NodeMaterial {
@@ -84,6 +115,16 @@ export class Materials implements PartMaterials {
 
   dispose(): void {
     for (const material of this.#made.values()) material.dispose();
+  }
+
+  #surface(from: From, kept: Kept = 'all'): Surface {
+    const name = `${from} ${kept}`;
+    const { image } = this.#uniforms;
+    const make = () =>
+      from === 'image' ? imageSurface(image, kept, this.#renderer) : triangles(from === 'painted');
+    const made = this.#surfaces.get(name) ?? make();
+    this.#surfaces.set(name, made);
+    return made;
   }
 
   #once(name: string, make: () => NodeMaterial): NodeMaterial {

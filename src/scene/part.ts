@@ -20,6 +20,7 @@ import {
 import type { Mesh } from '../mesh/mesh.ts';
 import { type DeviceMesh, isOnDevice } from './deviceMesh.ts';
 import { DeviceWires } from './deviceWires.ts';
+import type { ItemFacts } from './imageInputs.ts';
 import { displayRgb } from './look.ts';
 import type { Seam } from './seam.ts';
 import { MASK_ORDER } from './selection.ts';
@@ -107,7 +108,9 @@ export class Parts {
   }
 
   get hasSelected(): boolean {
-    return this.#selected.size > 0 && [...this.#parts.values()].some((part) => part.silhouette?.visible);
+    return [...this.#parts.values()].some(
+      ({ item, silhouette }) => silhouette && this.#selected.has(item.id),
+    );
   }
 
   /** The sphere as plain numbers, null when there is nothing. */
@@ -153,6 +156,21 @@ export class Parts {
   select(ids: readonly string[]): void {
     this.#selected = new Set(ids);
     for (const part of this.#parts.values()) this.#mark(part);
+  }
+
+  /** Does without the triangles of these, for which an image stands, but for their wires; returns what it has to be told of them. */
+  leaveOut(ids: readonly string[]): readonly ItemFacts[] {
+    return ids.map((id) => {
+      const part = this.#parts.get(id);
+      for (const mesh of part?.meshes.keys() ?? []) if (mesh !== part?.wire) mesh.layers.disableAll();
+      const colour = part && !isPainted(part.item) ? displayRgb(part.item.colour) : null;
+      return { colour, selected: this.#selected.has(id) };
+    });
+  }
+
+  /** After `leaveOut`. */
+  takeIn(ids: readonly string[]): void {
+    for (const id of ids) for (const mesh of this.#parts.get(id)?.meshes.keys() ?? []) mesh.layers.set(0);
   }
 
   dispose(): void {

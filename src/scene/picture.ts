@@ -13,6 +13,7 @@ import type { Look } from './look.ts';
 import type { SceneItem } from './part.ts';
 import { FINE_LINE_TEXELS, Pipeline } from './pipeline.ts';
 import type { SceneRenderer } from './renderer.ts';
+import type { SurfaceImage } from './surfaceImage.ts';
 import { makeOutput } from './targets.ts';
 
 export interface PictureOptions {
@@ -22,6 +23,8 @@ export interface PictureOptions {
   readonly view: View;
   readonly look: Look;
   readonly items: readonly SceneItem[];
+  /** of surfaces in place of triangles, each looked at through another place of the pixels; made when they are drawn */
+  readonly images?: readonly (() => SurfaceImage)[];
 }
 
 export async function takePicture(
@@ -62,7 +65,7 @@ export class Studio {
   }
 
   /** Draws and asks for the pixels; nothing large is left when it returns. */
-  async draw({ width, height, look, view, items }: PictureOptions): Promise<Uint8Array> {
+  async draw({ width, height, look, view, items, images = [] }: PictureOptions): Promise<Uint8Array> {
     const pipeline = this.#pipeline;
     const rig = this.#rig;
     try {
@@ -73,6 +76,7 @@ export class Studio {
       rig.setBounds(pipeline.parts.ball);
       rig.setView(view, false);
       pipeline.render(rig.camera, rig.view());
+      for (const image of images) pipeline.refine(rig.camera, rig.view(), image());
       // The copy is in the queue before this returns: what is copied may go before the copy is there.
       const reading = this.#renderer.readRenderTargetPixelsAsync(this.#output, 0, 0, width, height);
       return reading as Promise<Uint8Array>;

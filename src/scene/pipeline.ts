@@ -9,18 +9,33 @@
  *   6 page     paper, colour, lines, preview, blue contour → the canvas, or a target of its own for a picture
  *   7 fade     the picture before, lightly → over it                            while one body goes over into the next
  *
+ * Where rays were cast for surfaces, 1 to 5 draw their image in place of the triangles, as often as there are images, each with the camera as
+ * the rays had it, and 6 is the mean of all these pictures (refinement.ts).
+ *
  * Lines and colour are two passes because attachments of one pass share a sample count, and normals must not be
  * averaged before they are compared. The line passes run at up to twice the screen's resolution and the page pass
  * averages their coverage over a small tent, so no staircase remains.
  */
 
 import type { Scene as ThreeScene, WebGPURenderer } from 'three/webgpu';
-import { type Camera, Color, type NodeMaterial, QuadMesh, type RenderTarget, Vector2 } from 'three/webgpu';
+import {
+  type Camera,
+  Color,
+  type NodeMaterial,
+  QuadMesh,
+  type RenderTarget,
+  Vector2,
+  Vector3,
+} from 'three/webgpu';
+import type { Vec3 } from '../math/vec.ts';
 import type { View } from '../stroke/stroke.ts';
 import { Fade } from './fade.ts';
 import { Grid } from './grid.ts';
 import { type Kernel, LineUniforms } from './hbed.ts';
+import { ImageInputs } from './imageInputs.ts';
+import { ImageProxy } from './imageProxy.ts';
 import { InkUniforms } from './ink.ts';
+import { jittered, type ViewCamera } from './jitter.ts';
 import {
   DEFAULT_LOOK,
   displayRgb,
@@ -34,8 +49,10 @@ import { Materials } from './materials.ts';
 import { PageUniforms } from './page.ts';
 import { GRAIN, makeGrain } from './paper.ts';
 import { type Fill, Parts } from './part.ts';
+import { Refinement } from './refinement.ts';
 import { Seam } from './seam.ts';
 import { SelectionUniforms } from './selection.ts';
+import type { SurfaceImage } from './surfaceImage.ts';
 import { makeTargets } from './targets.ts';
 
 /** Lines are found at up to this many texels a CSS pixel, at most twice the screen's resolution, … */
@@ -76,6 +93,11 @@ export class Pipeline {
   readonly #selection = new SelectionUniforms();
   readonly #targets = makeTargets();
   readonly #fade = new Fade();
+  readonly #image = new ImageInputs();
+  readonly #refinement = new Refinement();
+  readonly #seam: Seam;
+  /** made when the first image comes */
+  #proxy: ImageProxy | null = null;
   readonly #grain: RenderTarget;
   readonly #materials: Materials;
   readonly #quad: QuadMesh;
@@ -89,12 +111,24 @@ export class Pipeline {
     this.#renderer = renderer;
     this.#options = options;
     this.#grain = makeGrain(renderer);
-    const uniforms = { lines: this.#lines, ink: this.#ink, page: this.#page, selection: this.#selection };
-    this.#materials = new Materials(uniforms, this.#targets, this.#grain.texture);
-    this.parts = new Parts(this.#materials, this.#fill('toon'), new Seam(renderer));
+    this.#seam = new Seam(renderer);
+    const [lines, ink, page] = [this.#lines, this.#ink, this.#page];
+    const uniforms = { lines, ink, page, selection: this.#selection, image: this.#image };
+    this.#materials = new Materials(renderer, uniforms, this.#targets, this.#grain.texture);
+    this.parts = new Parts(this.#materials, this.#fill('toon'), this.#seam);
     this.#quad = new QuadMesh(this.#materials.occluder);
     this.parts.colour.add(this.#grid.mesh);
     this.setLook(DEFAULT_LOOK);
+  }
+
+  /** device pixels */
+  get pixels(): { readonly width: number; readonly height: number } {
+    return { width: this.#size.x, height: this.#size.y };
+  }
+
+  /** Images in the mean that is seen, 0: triangles only; null: the frame is gone. */
+  get refined(): number | null {
+    return this.#sheet === null ? null : this.#refinement.count;
   }
 
   setLook(look: Look): void {
@@ -131,7 +165,59 @@ export class Pipeline {
     this.#scaleLines();
   }
 
-  render(camera: Camera, view: View): void {
+  render(camera: ViewCamera, view: View): void {
+    this.#refinement.end();
+    this.#sheet = this.#passes(camera, view);
+    this.#cover(this.#sheet, this.#output);
+    if (this.#fade.share > 0) this.#blend(this.#fade.over, this.#output);
+    this.#finish();
+  }
+
+  /**
+   * The picture with surfaces from this image, and the mean of it and those before since the last `render`. What `render` drew is seen
+   * through it until there are `enough` of them; below the row `known` (0–1 from the top) it is all that is seen. False where there is
+   * nothing to see through.
+   */
+  refine(camera: ViewCamera, view: View, image: SurfaceImage, { enough = 1, known = 1 } = {}): boolean {
+    const refinement = this.#refinement;
+    if (!refinement.isBegun && !this.keep()) return false;
+    refinement.isBegun = true;
+    this.#image.put(image, this.#seam);
+    this.#image.tell(this.parts.leaveOut(image.items));
+    this.#image.pivot.value = viewZ(camera, view.pivot);
+    this.#proxy ??= new ImageProxy(this.parts, this.#materials);
+    const proxy = this.#proxy;
+    proxy.fill = this.#materials.fill(this.#look.style, 'image');
+    proxy.visible = true;
+    const sheet = jittered(camera, this.#renderer, image.camera, () => this.#passes(camera, view));
+    proxy.visible = false;
+    this.parts.takeIn(image.items);
+    if (known < 1) this.#cover(sheet, this.#output);
+    else {
+      refinement.resize(this.#size.x, this.#size.y);
+      this.#cover(sheet, refinement.sample);
+      this.#blend(refinement.add(), refinement.mean);
+      this.#cover(refinement.shown, this.#output);
+    }
+    this.#fade.known.value = known;
+    this.#fade.share = 1 - (known < 1 ? 1 : refinement.count) / enough;
+    if (this.#fade.share > 0) this.#blend(this.#fade.over, this.#output);
+    this.#finish();
+    return true;
+  }
+
+  /** Keeps the picture of the last frame, which then lies over the frames to come; false where there is none. */
+  keep(): boolean {
+    if (!this.#sheet) return false;
+    this.#fade.kept.setSize(this.#size.x, this.#size.y);
+    this.#cover(this.#sheet, this.#fade.kept);
+    this.#renderer.setRenderTarget(null);
+    this.#fade.share = 1;
+    this.#fade.known.value = 1;
+    return true;
+  }
+
+  #passes(camera: ViewCamera, view: View): NodeMaterial {
     const { style, grid, wireframe } = this.#look;
     const kernel = this.parts.hasKept ? this.#kernel() : null;
     const fills = style !== 'hbed-lines' || grid || wireframe;
@@ -146,21 +232,12 @@ export class Pipeline {
     if (fills) this.#draw(this.parts.colour, camera, colour, CLEAR, NOTHING);
     if (hasPreview) this.#draw(this.parts.preview, camera, preview, CLEAR, NOTHING);
     if (hasSelected) this.#draw(this.parts.selection, camera, selection, CLEAR, NOTHING);
-    this.#sheet = this.#materials.page(kernel !== null, fills, hasPreview, hasSelected);
-    this.#cover(this.#sheet, this.#output);
-    if (this.#fade.share > 0) this.#blend(this.#fade.over, this.#output);
-    this.#renderer.setRenderTarget(null);
-    ({ drawCalls: this.drawCalls, triangles: this.triangles } = this.#renderer.info.render);
+    return this.#materials.page(kernel !== null, fills, hasPreview, hasSelected);
   }
 
-  /** Keeps the picture of the last frame, which then lies over the frames to come; false where there is none. */
-  keep(): boolean {
-    if (!this.#sheet) return false;
-    this.#fade.kept.setSize(this.#size.x, this.#size.y);
-    this.#cover(this.#sheet, this.#fade.kept);
+  #finish(): void {
     this.#renderer.setRenderTarget(null);
-    this.#fade.share = 1;
-    return true;
+    ({ drawCalls: this.drawCalls, triangles: this.triangles } = this.#renderer.info.render);
   }
 
   /** How much is seen of the picture that is kept, 0–1; at 0 it goes. */
@@ -170,6 +247,9 @@ export class Pipeline {
 
   dispose(): void {
     this.#fade.dispose();
+    this.#refinement.dispose();
+    this.#proxy?.dispose();
+    this.#image.dispose();
     this.parts.dispose();
     this.#grid.dispose();
     this.#grain.dispose();
@@ -178,7 +258,7 @@ export class Pipeline {
   }
 
   #fill(style: Look['style']): Fill {
-    return (painted) => this.#materials.fill(style, painted);
+    return (painted) => this.#materials.fill(style, painted ? 'painted' : 'plain');
   }
 
   get #output(): RenderTarget | null {
@@ -216,6 +296,8 @@ export class Pipeline {
 
   /** The last frame cannot be had again, and what was kept is of another look or size. */
   #forget(): void {
+    this.#refinement.end();
+    this.#image.rest();
     this.#sheet = null;
     this.#fade.share = 0;
   }
@@ -224,7 +306,7 @@ export class Pipeline {
   #measure(camera: Camera, view: View): void {
     const { center, radius } = this.parts.sphere;
     const reach = Math.max(radius, 1e-3);
-    const distance = -center.clone().applyMatrix4(camera.matrixWorldInverse).z;
+    const distance = -viewZ(camera, center.toArray());
     this.#lines.depthRange.value.set(distance - reach, 2 * reach);
     this.#ink.radius.value = reach;
     if (this.#look.grid) {
@@ -261,3 +343,7 @@ export class Pipeline {
     this.#page.tent.value.set(reach / width, reach / height);
   }
 }
+
+/** mm along the camera's own z of a point of the model */
+const viewZ = ({ matrixWorldInverse }: Camera, point: Vec3): number =>
+  new Vector3(...point).applyMatrix4(matrixWorldInverse).z;

@@ -8,6 +8,7 @@
 import {
   BufferAttribute,
   BufferGeometry,
+  type DataTexture,
   IndirectStorageBufferAttribute,
   Sphere,
   Vector3,
@@ -20,7 +21,7 @@ interface Backend {
   readonly isWebGPUBackend?: boolean;
   readonly device: GPUDevice;
   /** the record of an attribute, made when it is first asked for */
-  get(attribute: object): { buffer?: Destroyable };
+  get(attribute: object): { buffer?: Destroyable; texture?: GPUTexture };
 }
 
 interface Destroyable {
@@ -46,8 +47,10 @@ const NOTHING: Destroyable = { destroy() {} };
 
 export class Seam {
   readonly #backend: Backend;
+  readonly #renderer: WebGPURenderer;
 
   constructor(renderer: WebGPURenderer) {
+    this.#renderer = renderer;
     this.#backend = renderer.backend as unknown as Backend;
   }
 
@@ -80,6 +83,17 @@ export class Seam {
   /** The same for lines between the mesh's vertices. */
   lines(mesh: DeviceMesh, lines: Drawn): BufferGeometry {
     return this.#places(mesh, lines);
+  }
+
+  /** Copies a buffer of four f32 a texel into a texture, on the device; `stride`: texels from row to row. */
+  fill(texture: DataTexture, buffer: GPUBuffer, stride: number): void {
+    const { width, height } = texture.image;
+    this.#renderer.initTexture(texture);
+    const { device } = this.#backend;
+    const encoder = device.createCommandEncoder();
+    const target = (this.#backend.get(texture) as { readonly texture: GPUTexture }).texture;
+    encoder.copyBufferToTexture({ buffer, bytesPerRow: 16 * stride }, { texture: target }, [width, height]);
+    device.queue.submit([encoder.finish()]);
   }
 
   /** Takes the buffers back, which stay as they are; what three made for them goes. */

@@ -4,7 +4,8 @@
  * green is beside it, lightly where another part hides it, so that one sees what is selected behind a form.
  */
 import { float, screenUV, texture, uniform, vec2, vec4 } from 'three/tsl';
-import { DoubleSide, type Node, NodeMaterial, type Texture, Vector2, Vector3 } from 'three/webgpu';
+import { type Node, type NodeMaterial, type Texture, Vector2, Vector3 } from 'three/webgpu';
+import type { Surface } from './surface.ts';
 
 /** CSS pixels: how far the line reaches outward and inward of the silhouette; the drawn contour stays in sight inside */
 const REACH = { out: 2.2, in: 1 } as const;
@@ -22,23 +23,16 @@ export class SelectionUniforms {
 export const MASK_ORDER = { silhouette: -1, others: 0, seen: 1 } as const;
 
 /** Red, through everything. */
-export function silhouetteMaterial(): NodeMaterial {
-  const material = flat('silhouette', vec4(1, 0, 0, 1));
+export function silhouetteMaterial(surface: Surface): NodeMaterial {
+  const material = surface.material('silhouette', () => vec4(1, 0, 0, 1));
   material.depthTest = false;
   material.depthWrite = false;
   return material;
 }
 
 /** Green as well, where nothing is before it. */
-export const seenMaterial = (): NodeMaterial => flat('selected', vec4(1, 1, 0, 1));
-
-function flat(name: string, value: Node<'vec4'>): NodeMaterial {
-  const material = new NodeMaterial();
-  material.name = name;
-  material.side = DoubleSide;
-  material.fragmentNode = value;
-  return material;
-}
+export const seenMaterial = (surface: Surface): NodeMaterial =>
+  surface.material('selected', () => vec4(1, 1, 0, 1));
 
 /** How much of a pixel is contour, 0–1. */
 export function contourCoverage(mask: Texture, { pixel }: SelectionUniforms): Node<'float'> {

@@ -7,17 +7,16 @@ import { frontFacing, vec3, vec4 } from 'three/tsl';
 import { DoubleSide, type Node, NodeMaterial } from 'three/webgpu';
 import {
   AMBIENT,
-  facingNormal,
   GAIN,
   HALFWAY,
   interpolated,
   LIGHT,
-  paintedColour,
   partColour,
   SHININESS,
   vertexColour,
   vertexNormal,
 } from './light.ts';
+import type { Surface } from './surface.ts';
 
 const PHONG_AMBIENT = 0.25;
 /** Full ambient and full diffuse light add up to 1.26; at .7 a lit form is as bright as toon's lightest band. */
@@ -37,14 +36,14 @@ function shaded(colour: Node<'vec3'>, normal: Node<'vec3'>, ambient: Node<'vec3'
   return colour.mul(diffuse).add(vec3(highlight)).clamp(0, 1);
 }
 
-export function phongMaterial(painted: boolean): NodeMaterial {
-  const colour = painted ? paintedColour : partColour;
-  const material = new NodeMaterial();
-  material.name = painted ? 'phong, painted' : 'phong';
-  material.side = DoubleSide;
-  material.fragmentNode = vec4(shaded(colour, facingNormal, AMBIENT.mul(PHONG_AMBIENT), 1), 1);
-  return material;
-}
+export const phongMaterial = (surface: Surface): NodeMaterial =>
+  surface.material('phong', () =>
+    vec4(shaded(surface.colour, surface.normal, AMBIENT.mul(PHONG_AMBIENT), 1), 1),
+  );
+
+/** Gouraud's light where there are no vertices: every pixel is one. */
+export const evenMaterial = (surface: Surface): NodeMaterial =>
+  surface.material('gouraud', () => vec4(shaded(surface.colour, surface.normal, AMBIENT, GOURAUD_GAIN), 1));
 
 export function gouraudMaterial(painted: boolean): NodeMaterial {
   const colour = painted ? vertexColour : partColour;

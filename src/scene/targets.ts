@@ -8,6 +8,7 @@ import {
   type RenderTargetOptions,
   RGBAFormat,
   RGFormat,
+  type TextureDataType,
   UnsignedByteType,
 } from 'three/webgpu';
 
@@ -46,8 +47,8 @@ export function makeTargets() {
 }
 
 /** Stands in for the canvas: a picture that is read back and never shown. */
-export function makeOutput(): RenderTarget {
-  return target('picture', { type: UnsignedByteType, format: RGBAFormat, depthBuffer: false });
+export function makeOutput(type: TextureDataType = UnsignedByteType): RenderTarget {
+  return target('picture', { type, format: RGBAFormat, depthBuffer: false });
 }
 
 function target(name: string, options: RenderTargetOptions): RenderTarget {

@@ -10,33 +10,22 @@
 import {
   cameraProjectionMatrix,
   cameraViewMatrix,
-  dFdx,
-  dFdy,
+  float,
   mix,
   positionGeometry,
-  vec2,
   vec3,
   vec4,
 } from 'three/tsl';
 import {
   CustomBlending,
-  DoubleSide,
   MeshBasicNodeMaterial,
   type Node,
-  NodeMaterial,
+  type NodeMaterial,
   OneFactor,
   OneMinusSrcAlphaFactor,
 } from 'three/webgpu';
-import {
-  AMBIENT,
-  facingNormal,
-  GAIN,
-  HALFWAY,
-  LIGHT,
-  paintedColour,
-  partColour,
-  SHININESS,
-} from './light.ts';
+import { AMBIENT, GAIN, HALFWAY, LIGHT, SHININESS } from './light.ts';
+import type { Surface } from './surface.ts';
 
 export const THRESHOLDS = [0.1, 0.2, 0.7] as const;
 /** Every band is one step above the last: .1 .3 .5 .7. */
@@ -48,50 +37,35 @@ const HIGHLIGHT_THRESHOLD = 0.8;
 const HIGHLIGHT_WHITE = 0.75;
 const WIRE_OPACITY = 0.25;
 
-/** 0 below the threshold, 1 above, a ramp of one pixel between. */
-export function pixelStep(value: Node<'float'>, threshold: number): Node<'float'> {
-  return value.sub(threshold).div(pixelWidth(value)).add(0.5).clamp(0, 1);
+/** 0 below the threshold, 1 above, a ramp of one pixel between, across which the value changes by `width`. */
+function pixelStep(value: Node<'float'>, width: Node<'float'>, threshold: number): Node<'float'> {
+  return value.sub(threshold).div(width).add(0.5).clamp(0, 1);
 }
-
-/** How much the value changes across one pixel in the direction of its steepest slope. */
-export function pixelWidth(value: Node<'float'>): Node<'float'> {
-  return vec2(dFdx(value), dFdy(value)).length().max(1e-5);
-}
-
-const facingLight = facingNormal.dot(LIGHT).toVar();
 
 /** .1 .3 .5 .7 */
-export const band = THRESHOLDS.reduce<Node<'float'>>(
-  (sum, threshold) => sum.add(pixelStep(facingLight, threshold).mul(BAND_STEP)),
-  facingLight.mul(0).add(LOWEST_BAND),
-);
+export function bandOf(surface: Surface): Node<'float'> {
+  const facing = surface.normal.dot(LIGHT).toVar();
+  const width = surface.change(LIGHT).toVar();
+  const steps = THRESHOLDS.map((threshold) => pixelStep(facing, width, threshold).mul(BAND_STEP));
+  return steps.reduce<Node<'float'>>((sum, step) => sum.add(step), float(LOWEST_BAND));
+}
 
-const highlight = pixelStep(facingNormal.dot(HALFWAY).toVar(), HIGHLIGHT_THRESHOLD ** (1 / SHININESS));
-
-/** `colour` in toon's light, display values. */
-export function toonOf(colour: Node<'vec3'>): Node<'vec3'> {
-  const lit = colour.mul(AMBIENT.add(GAIN.mul(band))).clamp(0, 1);
+/** The colour of a surface in toon's light, display values. */
+export function toonOf(surface: Surface): Node<'vec3'> {
+  const { normal, colour } = surface;
+  const threshold = HIGHLIGHT_THRESHOLD ** (1 / SHININESS);
+  const highlight = pixelStep(normal.dot(HALFWAY).toVar(), surface.change(HALFWAY).toVar(), threshold);
+  const lit = colour.mul(AMBIENT.add(GAIN.mul(bandOf(surface)))).clamp(0, 1);
   return mix(lit, vec3(1), highlight.mul(HIGHLIGHT_WHITE));
 }
 
-/** The toon colour of a part, display values. */
-export const toonColour = toonOf(partColour);
-
-export function toonMaterial(painted: boolean): NodeMaterial {
-  const material = new NodeMaterial();
-  material.name = painted ? 'toon, painted' : 'toon';
-  material.side = DoubleSide;
-  material.fragmentNode = vec4(painted ? toonOf(paintedColour) : toonColour, 1);
-  return material;
-}
+export const toonMaterial = (surface: Surface): NodeMaterial =>
+  surface.material('toon', () => vec4(toonOf(surface), 1));
 
 /** Hides what is behind and shows nothing itself. */
-export function occluderMaterial(): NodeMaterial {
-  const material = new NodeMaterial();
-  material.name = 'occluder';
-  material.side = DoubleSide;
+export function occluderMaterial(surface: Surface): NodeMaterial {
+  const material = surface.material('occluder', () => vec4(0));
   material.colorWrite = false;
-  material.fragmentNode = vec4(0);
   return material;
 }
 

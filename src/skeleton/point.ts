@@ -77,6 +77,7 @@ function bind({ at, weight }: PointSkel, kernel: Kernel, params: KernelParams): 
     },
     missed: (ball, most) => spreader.missed(ball, most),
     isCubic: change.type === 'relative',
+    ahead: (ball, scale, out) => spreader.ahead(field, ball, scale, out),
     apart: () => Infinity,
     standIn: (ball, scale, out) => spreader.standIn(field, ball, scale, out),
   };

@@ -134,6 +134,7 @@ function bind(skel: PolygonSkel, kernel: Kernel, params: KernelParams): SkelFiel
     },
     missed: (ball, most) => spreader.missed(ball, most),
     isCubic: false,
+    ahead: (ball, scale, out) => spreader.ahead(field, ball, scale, out),
     apart: () => Infinity,
     standIn: (ball, scale, out) => spreader.standIn(field, ball, scale, out),
   };

@@ -7,6 +7,7 @@
  */
 import { type Kernel, type KernelParams, type LineField, LineFrame } from '../kernel/kernel.ts';
 import type { Vec3 } from '../math/vec.ts';
+import type { Ahead } from './ahead.ts';
 import type { Ball } from './ball.ts';
 import { checkedParams, checkNumbers, checkPlaces, reach, SHORTEST, whole } from './binding.ts';
 import { boxOf } from './boxOf.ts';
@@ -47,6 +48,7 @@ const NOTHING = {
   spread: () => {},
   missed: () => 0,
   standIn: () => 0,
+  ahead: () => {},
   apart: () => Infinity,
 } as const;
 
@@ -146,6 +148,10 @@ class SegmentField implements SkelField {
     return this.#spreader.standIn(this, ball, factor, out);
   }
 
+  ahead(ball: Ball, factor: number, out: Ahead): void {
+    this.#spreader.ahead(this, ball, factor, out);
+  }
+
   spread(ball: Ball, factor: number, out: Spread): void {
     this.#spreader.add(this, ball, factor, out);
   }
@@ -218,6 +224,9 @@ interface Quick extends LineField {
 const QUICK = {
   missed(this: Quick, ball: Ball, most: number): number {
     return this.spreader.missed(ball, most);
+  },
+  ahead(this: Quick, ball: Ball, factor: number, out: Ahead): void {
+    this.spreader.ahead(this, ball, factor, out);
   },
   standIn(this: Quick, ball: Ball, factor: number, out: Taylor): number {
     return this.spreader.standIn(this, ball, factor, out);

@@ -5,6 +5,7 @@
 
 import type { Kernel, KernelParams } from '../kernel/kernel.ts';
 import type { Vec3 } from '../math/vec.ts';
+import type { Ahead } from './ahead.ts';
 import type { Ball } from './ball.ts';
 import type { Taylor } from './taylor.ts';
 
@@ -45,6 +46,8 @@ export interface SkelField {
   readonly isCubic: boolean;
   /** By how much the field may differ from that of a skel that was moved or weighted a little otherwise, within the ball; Infinity where that is not known. */
   apart(other: SkelField, ball: Ball): number;
+  /** Adds `factor` times value and gradient at the centre, and what bounds the field in the ball ahead of there (ahead.ts). */
+  ahead(ball: Ball, factor: number, out: Ahead): void;
   /** of the skel itself, without its field */
   readonly box: Box;
   /** mm from the skel beyond which |value| < `threshold`; 0 when it is nowhere larger (FIELD-NOTES §1, Z(17)–(19) corrected) */

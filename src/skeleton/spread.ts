@@ -10,6 +10,7 @@ import { type AbsoluteChange, type RelativeChange, Step } from '../kernel/change
 import { halfPower } from '../kernel/halfPower.ts';
 import type { Kernel } from '../kernel/kernel.ts';
 import { mostOfLine, mostOfPlate, mostOfPower } from '../kernel/most.ts';
+import { type Ahead, BEND, LOOSE, POWER, WIDTH } from './ahead.ts';
 import type { Ball } from './ball.ts';
 import { Choice, type Sources } from './gaussSources.ts';
 import { type Extent, type See, Sight } from './sight.ts';
@@ -120,6 +121,37 @@ export class Spreader {
     if (change.type === 'relative') this.#relative(change);
     else this.#absolute(change);
     write(out, factor);
+  }
+
+  /** What `ahead` of SkelField says. */
+  ahead(field: Adding, ball: Ball, factor: number, out: Ahead): void {
+    if (this.#isNothing(ball)) return;
+    const before = out[0]!;
+    field.add(ball.x, ball.y, ball.z, factor, out);
+    const per2 = this.#per * this.#per;
+    const size = Math.abs(factor);
+    const { change } = this.#kernel;
+    if (change.type === 'absolute') {
+      out[BEND] = out[BEND]! + size * per2 * this.#bendAhead(change);
+      return;
+    }
+    const m2 = (change.core + step.r * step.r) / per2;
+    const whole = this.#extent.sign === 0 ? size * this.most(step.r * step.r) : Math.abs(out[0]! - before);
+    out[LOOSE] = out[LOOSE]! + (whole + size * sight.slack) / m2;
+    out[WIDTH] = Math.min(out[WIDTH]!, Math.sqrt(m2));
+    out[POWER] = change.power(this.#exponent);
+  }
+
+  /** The most that second derivatives come to in the ball of the step. */
+  #bendAhead(change: AbsoluteChange): number {
+    const { dimension, size, turns, most, sign } = this.#extent;
+    change.slopes(step, 0);
+    let { bend } = step;
+    if (dimension > 0) {
+      change.slopes(step, dimension);
+      bend = Math.min(size * bend, turns * step.bend);
+    }
+    return (sign === 0 ? 2 * most : most) * bend;
   }
 
   /** What `missed` of SkelField says. */

@@ -58,7 +58,7 @@ export function jsonSchema(): object {
   });
   return {
     $schema,
-    title: 'Rotund document or script, version 1 or 2',
+    title: 'Rotund document or script, version 1, 2 or 3',
     description: 'Lengths in millimetres, right-handed, y up. See format.md for what a schema cannot say.',
     ...whole,
     $defs,

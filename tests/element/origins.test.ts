@@ -28,6 +28,7 @@ beforeEach(() => {
     changed: () => {},
     drawn: () => {},
     selected: () => {},
+    moded: () => {},
     committed: (commands, cause) => {
       origins.changed({ commands, cause, document: session.document });
     },

@@ -12,7 +12,7 @@ import { strokeAlong } from '../document/strokes.ts';
 const STROKE = strokeAlong((t) => [30 * t, 10 * t], {}, 2);
 
 function sessionWith(document: Document): Session {
-  const session = new Session({ changed() {}, drawn() {}, committed() {}, selected() {} });
+  const session = new Session({ changed() {}, drawn() {}, committed() {}, selected() {}, moded() {} });
   session.frames.asleep = true;
   session.open({ ...EMPTY_DRAWING, document }, { fresh: true });
   return session;

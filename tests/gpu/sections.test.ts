@@ -172,6 +172,7 @@ describeGpu(`cross sections in WGSL are their twins (${COUNT} points, seed ${SEE
       },
       isCubic: false,
       spread: () => {},
+      ahead: () => {},
       standIn: () => 0,
       apart: () => Infinity,
       missed: () => Infinity,

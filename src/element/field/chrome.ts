@@ -16,6 +16,8 @@ export interface Page extends Desk {
   readonly folded: boolean;
   /** a passing word of the status line */
   readonly said: string;
+  /** what they do, in words */
+  readonly rays: string;
   fold(): void;
   showAll(): void;
   close(): void;
@@ -65,7 +67,7 @@ export function dock(page: Page): TemplateResult {
 }
 
 /** Line 1: the last event. Line 2: the picture and what is in it. Line 3: where it was evaluated, and what that took. Line 4: what its cells may have missed. */
-export function statusLine({ body, dataset, said }: Page): TemplateResult {
+export function statusLine({ body, dataset, said, rays }: Page): TemplateResult {
   const { progress, problem } = body;
   // numbers of a body that is not the wanted one would be taken for its own
   const made = problem ? null : body.made;
@@ -74,7 +76,7 @@ export function statusLine({ body, dataset, said }: Page): TemplateResult {
     ${bar(progress)}
     <span role="status" aria-live="polite"><b>${said || settled(body)}</b></span>
     <span><i class="dot ${backend === 'WebGPU' ? '' : 'slow'}"></i>${pictureOf(backend)}${made ? ` · ${FIELD_WORDS.facts(made)}` : nothing}</span>
-    ${made ? html`<span class="work">${FIELD_WORDS.work(made)}</span>` : nothing}
+    ${made ? html`<span class="work">${FIELD_WORDS.work(made)}${rays ? ` · ${rays}` : ''}</span>` : nothing}
     ${made?.thin && !made.draft ? html`<span class="work thin">${FIELD_WORDS.thin(made.thin)}</span>` : nothing}
   </div>`;
 }

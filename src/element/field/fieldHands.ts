@@ -14,6 +14,7 @@ interface HandsHost {
   /** by its number, from 1; false where there is none */
   setStyle(number: number): boolean;
   toggleWires(): void;
+  toggleRays(): void;
 }
 
 const NEARER = 1.15;
@@ -78,6 +79,9 @@ export class FieldHands {
         return true;
       case 'w':
         this.#host.toggleWires();
+        return true;
+      case 'x':
+        this.#host.toggleRays();
         return true;
       default:
         return this.#host.setStyle(Number(key));

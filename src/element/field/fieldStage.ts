@@ -8,6 +8,8 @@ import { type DeviceMesh, isOnDevice } from '../../scene/deviceMesh.ts';
 import type { Look, Scene } from '../../scene/index.ts';
 import { FRONT_VIEW, holds, type Margins } from '../../scene/view.ts';
 import type { View } from '../../stroke/stroke.ts';
+import type { ShownBody } from '../caster.ts';
+import { Exact } from '../exact.ts';
 
 /** From the right and a little above: degrees. */
 const [YAW, PITCH] = [32, -14];
@@ -51,6 +53,11 @@ export class FieldStage {
   scene: Scene | null = null;
   /** of the picture, that the controls cover */
   margins = (): Margins => ({ left: 0.1, top: 0.1, right: 0.1, bottom: 0.1 });
+  /** what rays are cast at; null: it is not made yet */
+  cast: ShownBody | null = null;
+  readonly exact: Exact;
+  /** rises with every change of what the picture shows, but for the view */
+  #version = 0;
   readonly #drawn: () => void;
   #mesh: FieldMesh | DeviceMesh | null = null;
   #box: Box | null = null;
@@ -65,8 +72,12 @@ export class FieldStage {
   /** from when on, and in which view, the body before is going; null: it is gone */
   #fading: { from: number | null; readonly view: string } | null = null;
 
-  /** `drawn` is called after each frame. */
-  constructor(look: Look, drawn: () => void) {
+  /** `drawn` is called after each frame, `told` when there is something to say of rays. */
+  constructor(look: Look, drawn: () => void, told: () => void = () => {}) {
+    this.exact = new Exact(() => {
+      told();
+      this.wake();
+    });
     this.#look = look;
     this.#drawn = drawn;
   }
@@ -81,6 +92,7 @@ export class FieldStage {
 
   attach(scene: Scene, reducedMotion: boolean): void {
     this.scene = scene;
+    this.#version++;
     scene.rig.reducedMotion = reducedMotion;
     scene.rig.setView(this.#view, false);
     scene.setLook(this.#look);
@@ -90,6 +102,7 @@ export class FieldStage {
 
   detach(): void {
     this.#fading = null;
+    this.exact.stop();
     cancelAnimationFrame(this.#frame);
     this.#frame = 0;
     this.#view = this.view;
@@ -101,6 +114,7 @@ export class FieldStage {
 
   setLook(change: Partial<Look>): void {
     this.#look = { ...this.#look, ...change };
+    this.#version++;
     this.scene?.setLook(this.#look);
     this.wake();
   }
@@ -118,6 +132,7 @@ export class FieldStage {
     this.#beginFading(refines);
     const wasFree = fit === 'covered' && this.#isFree;
     this.#mesh = mesh;
+    this.#version++;
     this.#box = boxOf(mesh);
     this.#fit ||= fit === 'always' || this.#outgrown || (wasFree && !this.#isFree);
     this.#sync();
@@ -185,6 +200,16 @@ export class FieldStage {
     return JSON.stringify(this.view);
   }
 
+  /** Whether the surface itself is seen, and all is drawn. */
+  #exact(isMoving: boolean): boolean {
+    const { scene, cast, view } = this;
+    if (isMoving || !scene || !cast || this.#look.mode !== 'exact') {
+      this.exact.rest();
+      return false;
+    }
+    return this.exact.frame({ scene, bodies: [cast], view, version: this.#version });
+  }
+
   #tick(now: number): void {
     this.#frame = 0;
     const seconds = Math.min(0.1, (now - this.#last) / 1000);
@@ -192,8 +217,10 @@ export class FieldStage {
     const moving = this.scene?.rig.update(seconds) ?? false;
     const share = this.#fadingAt(now);
     if (share === 0) this.#fading = null;
-    this.scene?.fade(share);
-    this.scene?.render();
+    if (!this.#exact(moving || share > 0)) {
+      this.scene?.fade(share);
+      this.scene?.render();
+    }
     this.#drawn();
     if (moving || share > 0) this.wake();
   }

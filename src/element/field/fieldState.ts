@@ -190,6 +190,14 @@ export const CHOICES = {
     ],
     default: 'cpu',
   },
+  surface: {
+    label: 'Seen',
+    options: [
+      ['mesh', 'Triangles'],
+      ['exact', 'Rays'],
+    ],
+    default: 'mesh',
+  },
 } as const satisfies Record<string, ChoiceSpec>;
 
 export type NumberKey = keyof typeof NUMBERS;

@@ -124,5 +124,6 @@ function exampleName({ type: _, ...sizes }: Shape): string {
 }
 
 function surface(desk: Desk, gpu: boolean): TemplateResult {
-  return html`${slider(desk, 'resolution')} ${gpu ? segment(desk, 'where') : nothing}`;
+  return html`${slider(desk, 'resolution')} ${gpu ? segment(desk, 'where') : nothing}
+    ${segment(desk, 'surface')}`;
 }

@@ -3,9 +3,12 @@
  * beside the page and drawn by the application's own scene. The state is in the address.
  */
 import { html, LitElement, type PropertyDeclarations, type PropertyValues, type TemplateResult } from 'lit';
-import { DEFAULT_LOOK, type Style } from '../../document/look.ts';
+import { DEFAULT_LOOK, type Look, type Mode, type Style } from '../../document/look.ts';
+import type { FieldNode } from '../../field/node.ts';
+import { UNMOVED } from '../../math/placement.ts';
 import type { Scene } from '../../scene/index.ts';
 import { isDark } from '../../scene/look.ts';
+import type { ShownBody } from '../caster.ts';
 import { messageOf } from '../events.ts';
 import { layout } from '../layout.ts';
 import { PointerRouter } from '../pointer.ts';
@@ -13,7 +16,7 @@ import { type BackendChoice, SceneLife, type SceneOwner } from '../sceneLife.ts'
 import { PAPER_OF, reducedMotion, themeOf, watchPixelRatio, watchSystem } from '../theme.ts';
 import { tokens } from '../tokens.ts';
 import { viewBall } from '../viewBall.ts';
-import { NO_PICTURE } from '../words.ts';
+import { NO_PICTURE, WORDS } from '../words.ts';
 import { dock, statusLine, topBar } from './chrome.ts';
 import { FieldBody } from './fieldBody.ts';
 import { FieldHands } from './fieldHands.ts';
@@ -42,7 +45,11 @@ export class RotundField extends LitElement {
   declare folded: boolean;
   backend: BackendChoice = 'auto';
   readonly body = new FieldBody(() => this.#heard());
-  readonly stage = new FieldStage(DEFAULT_LOOK, () => this.#drawn());
+  readonly stage = new FieldStage(
+    DEFAULT_LOOK,
+    () => this.#drawn(),
+    () => this.requestUpdate(),
+  );
   readonly #hands = new FieldHands(this.#host());
   readonly #life = new SceneLife(this.#owner());
   #stop = new AbortController();
@@ -52,6 +59,8 @@ export class RotundField extends LitElement {
   #fit: Fit = 'always';
   /** of the body in the picture: what comes under the same number is a finer one */
   #shown = 0;
+  /** the last that made sense */
+  #tree: FieldNode | null = null;
   /** a passing word of the status line */
   said = '';
   /** what is wrong with the address */
@@ -146,7 +155,7 @@ export class RotundField extends LitElement {
     const theme = themeOf(this.theme);
     this.dataset.theme = theme;
     if (this.stage.scene) this.stage.scene.rig.reducedMotion = reducedMotion();
-    this.stage.setLook({ ...PAPER_OF[theme], style: this.state.style as Style });
+    this.stage.setLook({ ...PAPER_OF[theme], ...this.#look });
     this.requestUpdate();
   }
 
@@ -183,6 +192,7 @@ export class RotundField extends LitElement {
       wake: () => this.stage.wake(),
       showAll: (animate: boolean) => this.stage.showAll(animate),
       reset: () => this.stage.reset(),
+      toggleRays: () => this.set({ surface: this.state.surface === 'exact' ? 'mesh' : 'exact' }),
       toggleWires: () => this.stage.setLook({ wireframe: !this.stage.look.wireframe }),
       setStyle: (number: number) => {
         const style = CHOICES.style.options[number - 1];
@@ -205,8 +215,8 @@ export class RotundField extends LitElement {
   }
 
   #changed(before: FieldState): void {
-    if (before.style !== this.state.style) this.stage.setLook({ style: this.state.style as Style });
-    const { style: _, ...body } = this.state;
+    const { style, surface, ...body } = this.state;
+    if (before.style !== style || before.surface !== surface) this.stage.setLook(this.#look);
     const changed = (Object.keys(body) as (keyof typeof body)[]).filter((key) => before[key] !== body[key]);
     if (changed.length === 0) return;
     if (changed.includes('skeleton')) this.#fit = 'always';
@@ -216,9 +226,17 @@ export class RotundField extends LitElement {
     this.#make();
   }
 
+  get #look(): Pick<Look, 'style' | 'mode'> {
+    return { style: this.state.style as Style, mode: this.state.surface as Mode };
+  }
+
   #make(): void {
     const { state } = this;
-    this.body.make(() => treeOf(state), state.resolution, state.where === 'gpu');
+    const tree = () => {
+      this.#tree = treeOf(state);
+      return this.#tree;
+    };
+    this.body.make(tree, state.resolution, state.where === 'gpu');
   }
 
   #writeAddress(): void {
@@ -244,7 +262,24 @@ export class RotundField extends LitElement {
     if (made && this.stage.show(made.mesh, this.#fit, made.id === this.#shown) && !made.draft)
       this.#fit = 'never';
     this.#shown = made?.id ?? 0;
+    this.stage.cast = this.#cast;
     this.requestUpdate();
+  }
+
+  /** The body that is in the picture, when it is the wanted one. */
+  get #cast(): ShownBody | null {
+    const { made, progress, problem } = this.body;
+    if (!made || !this.#tree || progress !== null || problem !== null) return null;
+    return { id: 'body', node: this.#tree, placement: UNMOVED, cells: this.state.resolution };
+  }
+
+  /** What rays do, in words. */
+  get rays(): string {
+    const { share, evaluationsAPixel, problem } = this.stage.exact;
+    if (this.state.surface !== 'exact') return '';
+    if (problem !== null) return WORDS.notExact;
+    if (share !== null) return WORDS.casting(Math.round(100 * share));
+    return evaluationsAPixel === null ? '' : WORDS.exact(evaluationsAPixel);
   }
 
   #drawn(): void {
@@ -272,8 +307,8 @@ export class RotundField extends LitElement {
   }
 
   reset(): void {
-    const { style, where } = this.state;
-    this.set({ ...DEFAULT_STATE, style, where });
+    const { style, where, surface } = this.state;
+    this.set({ ...DEFAULT_STATE, style, where, surface });
     if (this.body.progress !== null) this.#fit = 'always';
     this.stage.reset();
     this.#say(FIELD_WORDS.reset);
@@ -320,7 +355,7 @@ export class RotundField extends LitElement {
       <div class="stage" role="application" tabindex="0" aria-label=${FIELD_WORDS.label(made)} aria-describedby="keys">
         <canvas class="picture"></canvas>
       </div>
-      <span id="keys" class="hidden">Arrow keys turn, plus and minus zoom, Home shows everything, 0 goes back to the first view, 1 to 4 are styles, W shows the triangles.</span>
+      <span id="keys" class="hidden">Arrow keys turn, plus and minus zoom, Home shows everything, 0 goes back to the first view, 1 to 4 are styles, W shows the triangles, X casts rays.</span>
       ${topBar(this)} ${dock(this)} ${statusLine(this)} ${viewBall(this.stage.view, this.#hands.ball())}
     </div>`;
   }

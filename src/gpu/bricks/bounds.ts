@@ -13,7 +13,7 @@ import { leavesOf } from '../polygonize/lists.ts';
 import { type Program, type Step, TAKE } from '../program.ts';
 import { BOUND, LEAF, PLACE, SUM, TERM } from '../structs.ts';
 import { sharesOf } from './shares.ts';
-import { type Bound, boundOf, OVER, ROW, viewOf } from './termBound.ts';
+import { type Bound, boundOf, CHANGE, OVER, ROW, viewOf } from './termBound.ts';
 
 export interface BoundedProgram {
   /** those of the program, then bounds of terms, then a leaf for each step */
@@ -30,6 +30,7 @@ export function boundedProgram(node: FieldNode, program: Program): BoundedProgra
   const first = program.records.byteLength / ROW;
   const bounds: Bound[] = [];
   const leaves = program.steps.map((step, i) => {
+    const count = bounds.length;
     const own = first + (bounds.length * BOUND.stride) / ROW;
     const sum = step.take === TAKE.SUM ? SUM.read(viewOf(program, step.at), 0) : null;
     if (sum) {
@@ -43,6 +44,7 @@ export function boundedProgram(node: FieldNode, program: Program): BoundedProgra
       slope: slopes[leafOf[i]!] ?? 0,
       most: MOST_MISSED * (sum?.threshold ?? 0),
       bounds: own,
+      ...evenPower(bounds.slice(count)),
     };
   });
   const table = bounds.length > 0 ? BOUND.pack(bounds) : new ArrayBuffer(0);
@@ -50,6 +52,16 @@ export function boundedProgram(node: FieldNode, program: Program): BoundedProgra
     records: joined([program.records, table, LEAF.pack(leaves)]),
     leaves: first + table.byteLength / ROW,
   };
+}
+
+/** Of terms that all change alike, and in proportion to themselves. */
+function evenPower(bounds: readonly Bound[]) {
+  const power = bounds[0]?.power ?? 0;
+  const isEven = bounds.every(
+    ({ change, sign, dimension, ...other }) =>
+      change === CHANGE.POWER && sign !== 0 && dimension < 2 && other.power === power,
+  );
+  return { power: isEven ? power : 0, core: bounds[0]?.core ?? 0, unused: [0, 0] };
 }
 
 /** Of the tree's leaves: what may be missed of a sum's field for a millimetre that the surface is off. */

@@ -11,6 +11,7 @@ const host = {
   reset: vi.fn(),
   setStyle: vi.fn((number: number) => number === 2),
   toggleWires: vi.fn(),
+  toggleRays: vi.fn(),
 };
 const hands = new FieldHands(host);
 
@@ -27,6 +28,11 @@ describe('keys', () => {
     expect(host.toggleWires).toHaveBeenCalledTimes(2);
   });
 
+  test('X casts rays', () => {
+    expect(press('x')).toBe(true);
+    expect(host.toggleRays).toHaveBeenCalledTimes(1);
+  });
+
   test('arrows turn as far as in the application', () => {
     expect(press('ArrowLeft')).toBe(true);
     expect(press('ArrowDown')).toBe(true);
@@ -38,7 +44,7 @@ describe('keys', () => {
 
   test('numbers are styles; what means nothing, or belongs to the browser, is left to it', () => {
     expect(press('2')).toBe(true);
-    expect([press('9'), press('x'), press('Tab'), press('w', { ctrlKey: true })]).toEqual([
+    expect([press('9'), press('y'), press('Tab'), press('w', { ctrlKey: true })]).toEqual([
       false,
       false,
       false,

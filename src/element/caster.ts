@@ -1,0 +1,47 @@
+/** Who casts rays for the element: a worker (rayWorker.ts) today; a graphics device whose images stay on it would meet the same contract. */
+import type { FieldNode } from '../field/node.ts';
+import type { RayCamera } from '../field/rayImage.ts';
+import type { Placement } from '../math/placement.ts';
+import type { SurfaceImage } from '../scene/index.ts';
+
+/** A body, and the item of the scene that is its mesh. */
+export interface ShownBody {
+  readonly id: string;
+  readonly node: FieldNode;
+  readonly placement: Placement;
+  /** of its lattice, along the longest side */
+  readonly cells: number;
+}
+
+/** What has been found for one picture so far. */
+export interface CastImages {
+  /** images that are whole, and how many there will be */
+  readonly count: number;
+  readonly whole: number;
+  /** rows of the first that are there, 0–1 from the top */
+  readonly known: number;
+  /** 0–1 of what is being done until the first is whole */
+  readonly share: number;
+  /** of the first image, in values of one skel; null until it is whole */
+  readonly evaluationsAPixel: number | null;
+  /** that the first image took */
+  readonly milliseconds: number;
+  /** The first, 0, is through the middle of the pixels, and there in part before it is whole. */
+  image(number: number): SurfaceImage;
+}
+
+export interface CastListener {
+  /** there is more */
+  changed(): void;
+  /** there will be nothing more, in words */
+  refused(why: string): void;
+}
+
+export interface Caster {
+  /** What was wanted before is given up, and nothing more is told of it. */
+  cast(bodies: readonly ShownBody[], camera: RayCamera, listener: CastListener): CastImages;
+  /** Nothing is wanted for now. */
+  stop(): void;
+  /** Nothing is kept either; what was wanted is refused. */
+  end(): void;
+}

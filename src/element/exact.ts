@@ -1,0 +1,215 @@
+/**
+ * The exact surface of bodies in the picture. While anything moves their meshes are seen; where all rests rays are cast beside the page, and
+ * their image takes the place of the meshes row by row, then gets smoother edges. Any change gives it up at once.
+ */
+import { bodyMade, CELLS } from '../document/bodies.ts';
+import { type Document, isBody } from '../document/document.ts';
+import type { RayCamera } from '../field/rayImage.ts';
+import type { Scene, SurfaceImage } from '../scene/index.ts';
+import type { View } from '../stroke/stroke.ts';
+import type { Caster, CastImages, ShownBody } from './caster.ts';
+import { keyOf, RayWorker } from './rayWorker.ts';
+
+/** ms without a change until rays are cast, or until what was cast is shown again */
+const REST = 120;
+/** images after which nothing of the meshes is seen any more: fewer leave edges jagged */
+const ENOUGH = 3;
+/** of the rows of the first image: what more than this is drawn at once */
+const PART = 0.12;
+/** rays a picture: larger ones have a ray for several pixels */
+const MOST_RAYS = 2.4e6;
+
+const MIDDLE = [0.5, 0.5] as const;
+
+/** Of one picture; made when they are drawn. */
+type Images = readonly (() => SurfaceImage)[];
+
+/** What is on the screen. */
+export interface Seen {
+  readonly scene: Scene;
+  readonly bodies: readonly ShownBody[];
+  readonly view: View;
+  /** rises with every change of what the picture shows, but for the view */
+  readonly version: number;
+}
+
+export class Exact {
+  /** why there is none, in words; null: there is one, or none is wanted */
+  problem: string | null = null;
+  readonly #changed: () => void;
+  readonly #caster: Caster;
+  #images: CastImages | null = null;
+  /** what the images are of, and what is drawn of them */
+  #cast = '';
+  #drawn = '';
+  /** images that are drawn */
+  #count = 0;
+  /** how much of the first image is drawn before it is whole */
+  #known = 0;
+  #timer: ReturnType<typeof setTimeout> | undefined;
+  #rested = false;
+  /** a picture is made: the screen waits */
+  #isBusy = false;
+  /** ends with the pictures before */
+  #turn: Promise<unknown> = Promise.resolve();
+
+  /** `changed` asks for another frame. */
+  constructor(changed: () => void, caster: Caster = new RayWorker()) {
+    this.#changed = changed;
+    this.#caster = caster;
+  }
+
+  /** Draws the frame, or leaves it as it is; false: it is to be drawn with meshes. */
+  frame(seen: Seen): boolean {
+    const { scene, bodies, view, version } = seen;
+    if (bodies.length === 0 || this.#isBusy) {
+      this.rest();
+      return false;
+    }
+    const camera = cameraOf(view, scene.pixels);
+    const cast = JSON.stringify([
+      camera,
+      bodies.map(({ node, placement, cells }) => [keyOf(node), placement, cells]),
+    ]);
+    const drawn = `${version} ${cast}`;
+    if (drawn !== this.#drawn) {
+      if (cast !== this.#cast) this.#giveUp();
+      this.#cast = cast;
+      this.#drawn = drawn;
+      this.#wait();
+      return false;
+    }
+    if (!this.#rested) return false;
+    if (!this.#images) this.#begin(bodies, camera);
+    return this.#refine(scene);
+  }
+
+  /** Nothing is wanted. */
+  rest(): void {
+    if (this.#cast === '' && !this.#images) return;
+    this.#giveUp();
+    this.#cast = '';
+    this.#drawn = '';
+    clearTimeout(this.#timer);
+    this.#rested = false;
+  }
+
+  /** Nobody is there to see them. */
+  stop(): void {
+    this.rest();
+    this.#caster.end();
+  }
+
+  /** 0–1 of what is being done; null: nothing is. */
+  get share(): number | null {
+    const images = this.#images;
+    return images && images.count === 0 && this.problem === null ? images.share : null;
+  }
+
+  /** Of the image that is seen, in values of one skel; null: none is. */
+  get evaluationsAPixel(): number | null {
+    return this.#count > 0 ? (this.#images?.evaluationsAPixel ?? null) : null;
+  }
+
+  /** ms that the first image took */
+  get milliseconds(): number {
+    return this.#images?.milliseconds ?? 0;
+  }
+
+  /** All that can be seen is seen. */
+  get isWhole(): boolean {
+    return this.problem !== null || this.#count === this.#images?.whole;
+  }
+
+  /** For a picture of its own; what is on the screen waits. Rejects where there are none. */
+  async images(bodies: readonly ShownBody[], view: View, pixels: Scene['pixels']): Promise<Images> {
+    if (bodies.length === 0) return [];
+    const turn = this.#turn.then(() => this.#whole(bodies, cameraOf(view, pixels)));
+    this.#turn = turn.catch(() => {});
+    return turn;
+  }
+
+  async #whole(bodies: readonly ShownBody[], camera: RayCamera): Promise<Images> {
+    this.#giveUp();
+    this.#isBusy = true;
+    try {
+      const images = await new Promise<CastImages>((resolve, reject) => {
+        const casting = this.#caster.cast(bodies, camera, {
+          changed: () => casting.count === casting.whole && resolve(casting),
+          refused: (why) => reject(new Error(why)),
+        });
+      });
+      return Array.from({ length: images.whole }, (_, i) => () => images.image(i));
+    } finally {
+      this.#isBusy = false;
+      this.#changed();
+    }
+  }
+
+  #giveUp(): void {
+    if (this.#images) this.#caster.stop();
+    this.#images = null;
+    this.#count = 0;
+    this.problem = null;
+  }
+
+  #wait(): void {
+    this.#count = 0;
+    this.#known = 0;
+    this.#rested = false;
+    clearTimeout(this.#timer);
+    this.#timer = setTimeout(() => {
+      this.#rested = true;
+      this.#changed();
+    }, REST);
+  }
+
+  #begin(bodies: readonly ShownBody[], camera: RayCamera): void {
+    this.#images = this.#caster.cast(bodies, camera, {
+      changed: () => this.#changed(),
+      refused: (why) => {
+        this.problem = why;
+        this.#changed();
+      },
+    });
+  }
+
+  /** More rows of the first; few at a time would cost more than they show. */
+  #inPart(scene: Scene, images: CastImages): boolean {
+    const { known } = images;
+    if (this.problem !== null) return false;
+    if (known - this.#known < PART) return true;
+    this.#known = known;
+    return scene.refine(images.image(0), { known, enough: ENOUGH });
+  }
+
+  /** One more image. */
+  #refine(scene: Scene): boolean {
+    const images = this.#images;
+    if (!images) return false;
+    // somebody drew another frame, or undid it
+    if (scene.refined !== this.#count) {
+      this.#wait();
+      return false;
+    }
+    if (images.count === 0) return this.#inPart(scene, images);
+    if (this.#count === images.count) return true;
+    if (!scene.refine(images.image(this.#count), { enough: ENOUGH })) return false;
+    this.#count++;
+    this.#changed();
+    return true;
+  }
+}
+
+/** Those of a document that are seen, with lattices as those of their meshes. */
+export const shownBodies = ({ parts }: Document): readonly ShownBody[] =>
+  parts
+    .filter(isBody)
+    .filter(({ hidden }) => !hidden)
+    .map(({ id, node, placement }) => ({ id, node, placement, cells: bodyMade(node)?.cells ?? CELLS }));
+
+function cameraOf(view: View, { width, height }: Scene['pixels']): RayCamera {
+  const shrunk = Math.min(1, Math.sqrt(MOST_RAYS / (width * height)));
+  const side = (pixels: number) => Math.max(1, Math.round(pixels * shrunk));
+  return { view, width: side(width), height: side(height), offset: MIDDLE };
+}

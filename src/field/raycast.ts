@@ -1,0 +1,200 @@
+/**
+ * Rays onto the surface of a field itself: through bricks (bricks.ts), in each by its near list, in steps that surely do not go through a surface
+ * (rayAhead.ts). Where such steps have become shorter than a part of a pixel the sign decides, and what lies between is narrowed down.
+ *
+ * Theory: Zhu et al. §4.2 step by half the radius of bounding volumes, and step back where the slope has turned (zhuMarch.ts); a surface
+ * may be passed. Here the first hit is the first but for what is thinner along the ray than `FINEST` of a pixel.
+ */
+import type { Vec3 } from '../math/vec.ts';
+import { INSIDE, OUTSIDE } from './bricks.ts';
+import type { Near, Tally } from './near.ts';
+import type { Located } from './polygonize.ts';
+import { RayWalk, type Walked, walked } from './rayWalk.ts';
+
+/** of a pixel: shorter steps are none */
+const FINEST = 1 / 64;
+/** evaluations between the last two places; mostly one is enough */
+const NARROWINGS = 40;
+/** of what is left between them, and of the lattice: a step of Newton's as short leaves nothing to be seen */
+const CLOSE = 1e-5;
+/** of the longest side of the lattice: what near lists miss may move the hit along the ray so far before all skels are asked */
+const MISSED = 3e-4;
+/** steps with all skels */
+const POLISHES = 3;
+
+export interface Ray {
+  readonly from: Vec3;
+  /** unit */
+  readonly along: Vec3;
+  /** mm along it: where it begins, −Infinity for all of the line */
+  readonly nearest: number;
+  /** mm: of a pixel where the ray begins, and more for each millimetre along it */
+  readonly pixel: number;
+  readonly growth: number;
+}
+
+/** Mutable: filled again for each ray. */
+export class Hit {
+  /** mm along the ray */
+  t = 0.5;
+  readonly at: [number, number, number] = [0, 0, 0];
+  /** unit, out of the body; 0 where it has no slope */
+  readonly normal: [number, number, number] = [0, 0, 0];
+  readonly colour = new Float64Array(3);
+}
+
+const value = new Float64Array(4);
+
+export class Raycaster {
+  readonly #whole: Near;
+  readonly #tally: Tally;
+  readonly #walk: RayWalk;
+  readonly #walked: Walked;
+  readonly #size: number;
+  #ray: Ray = { from: [0, 0, 0], along: [1, 0, 0], nearest: 0, pixel: 1, growth: 0 };
+  readonly hit = new Hit();
+
+  constructor({ whole, tally, bricks }: Pick<Located, 'whole' | 'tally' | 'bricks'>) {
+    this.#whole = whole;
+    this.#tally = tally;
+    this.#walked = walked(bricks);
+    this.#walk = new RayWalk(this.#walked);
+    const { counts, step } = bricks.lattice;
+    this.#size = (Math.max(...counts) - 1) * step;
+  }
+
+  /** what has been asked of skels, in values of one (skeleton/work.ts) */
+  get work(): number {
+    return this.#tally.work;
+  }
+
+  /** Whether the ray meets the surface within `farthest` mm, in which case `hit` says where. */
+  cast(ray: Ray, farthest = Infinity): boolean {
+    this.#ray = ray;
+    const walk = this.#walk;
+    if (!walk.begin(ray.from, ray.along, ray.nearest, farthest)) return false;
+    const { active } = this.#walked.bricks;
+    // outside, where it comes in from beyond
+    let isInside: boolean | null = walk.entered < 0 ? null : false;
+    do {
+      const near = active[walk.state]?.near ?? null;
+      if (isInside === null) isInside = near ? this.#valueAt(near, walk.start) > 0 : walk.state === INSIDE;
+      if (near ? this.#through(near, isInside) : walk.state !== (isInside ? INSIDE : OUTSIDE)) {
+        return near ? true : this.#border();
+      }
+    } while (walk.next());
+    return false;
+  }
+
+  /** The surface in a brick; false where there is none. */
+  #through(near: Near, isInside: boolean): boolean {
+    const { start, stop } = this.#walk;
+    const { pixel, growth, along } = this.#ray;
+    let before = start;
+    let atBefore = 0;
+    for (let t = start; ; ) {
+      const [x, y, z] = this.#place(t);
+      const value = near.look(along, x, y, z, stop - t);
+      if (value > 0 !== isInside) {
+        return t > before ? this.#between(near, before, t, atBefore, value) : this.#border();
+      }
+      before = t;
+      atBefore = value;
+      const clear = near.clear();
+      if (t + clear >= stop) return false;
+      t = Math.min(t + Math.max(clear, FINEST * (pixel + growth * t)), stop);
+      if (!(t > before)) return false;
+    }
+  }
+
+  /** Where the ray comes into the body at the border of the lattice, or bricks that miss a little disagree about their border. */
+  #border(): true {
+    const { hit } = this;
+    this.#put(this.#walk.start);
+    const { entered: axis, entry } = this.#walk;
+    this.#whole.evaluate(...hit.at, value);
+    this.#normal();
+    if (axis >= 0 && hit.t === entry) {
+      hit.normal.fill(0);
+      hit.normal[axis] = this.#ray.along[axis]! > 0 ? -1 : 1;
+    }
+    this.#whole.colour(...hit.at, hit.colour);
+    return true;
+  }
+
+  /** The hit between two places of the ray with values of different signs. */
+  #between(near: Near, before: number, after: number, atBefore: number, atAfter: number): true {
+    const { hit } = this;
+    this.#narrow(near, before, after, atBefore, atAfter);
+    this.#polish(near);
+    this.#normal();
+    if (near.plain) hit.colour.set(near.plain);
+    else near.colour(...hit.at, hit.colour);
+    return true;
+  }
+
+  /** A secant, then Newton's steps, or halves where these leave what is left. Leaves value and gradient as well. */
+  #narrow(near: Near, before: number, after: number, atBefore: number, atAfter: number): void {
+    const { hit } = this;
+    const close = CLOSE * (after - before);
+    let [low, high] = [before, after];
+    let t = low + ((high - low) * atBefore) / (atBefore - atAfter);
+    for (let i = 0; i < NARROWINGS; i++) {
+      this.#put(t);
+      near.evaluate(...hit.at, value);
+      const step = -value[0]! / this.#slope();
+      if (Math.abs(step) <= close) {
+        hit.t += step;
+        return;
+      }
+      if (value[0]! > 0 === atBefore > 0) low = t;
+      else high = t;
+      t = t + step > low && t + step < high ? t + step : 0.5 * (low + high);
+    }
+  }
+
+  /** Onto the surface of all skels, where what the near list misses might show. */
+  #polish(near: Near): void {
+    const { hit } = this;
+    const slope = Math.abs(this.#slope());
+    if (near.error <= MISSED * this.#size * slope) return;
+    // a ray that only just touches the body may pass by all of it
+    const most = (2 * near.error) / slope;
+    for (let i = 0; i < POLISHES; i++) {
+      this.#put(hit.t);
+      this.#whole.evaluate(...hit.at, value);
+      const step = -value[0]! / this.#slope();
+      if (!(Math.abs(step) <= most)) return;
+      hit.t += step;
+      if (Math.abs(step) < CLOSE * this.#size) break;
+    }
+    this.#put(hit.t);
+  }
+
+  /** A millimetre along the ray. */
+  #slope(): number {
+    const { along } = this.#ray;
+    return value[1]! * along[0] + value[2]! * along[1] + value[3]! * along[2];
+  }
+
+  #normal(): void {
+    const { normal } = this.hit;
+    const length = -Math.sqrt(value[1]! * value[1]! + value[2]! * value[2]! + value[3]! * value[3]!);
+    for (let axis = 0; axis < 3; axis++) normal[axis] = length < 0 ? value[axis + 1]! / length : 0;
+  }
+
+  #put(t: number): void {
+    const { from, along } = this.#ray;
+    this.hit.t = t;
+    for (let axis = 0; axis < 3; axis++) this.hit.at[axis] = from[axis]! + t * along[axis]!;
+  }
+
+  #valueAt(near: Near, t: number): number {
+    return near.value(...this.#place(t));
+  }
+
+  #place(t: number): [number, number, number] {
+    const { from, along } = this.#ray;
+    return [from[0] + t * along[0], from[1] + t * along[1], from[2] + t * along[2]];
+  }
+}

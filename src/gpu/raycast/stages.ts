@@ -1,0 +1,77 @@
+/** The pipelines of the ray-caster; only `cast` is made for the ingredients of a field. */
+import { record } from '../../math/record.ts';
+import { brickModules } from '../bricks/stages.ts';
+import { type Ingredients, KINDS, namesOf } from '../ingredients.ts';
+import { compile, link, type Modules } from '../link.ts';
+
+/** What is looked at, and from where. */
+export const RAY_CAMERA = record('RayCamera', {
+  pivot: 'vec3f',
+  /** mm of a pixel at the pivot */
+  pixel: 'f32',
+  right: 'vec3f',
+  /** from the eye to the pivot, mm; 0: orthographic */
+  distance: 'f32',
+  up: 'vec3f',
+  /** of the lattice: its longest side, mm */
+  size: 'f32',
+  back: 'vec3f',
+  /** of the records: where leaves begin */
+  leaves: 'u32',
+  /** pixels */
+  picture: 'vec2u',
+  offset: 'vec2f',
+  /** of all the body, where it has one colour; the fourth 1 then, else 0 */
+  colour: 'vec4f',
+});
+
+/** Buffers of group 0 by their binding; `cast` has records and lists in group 1. */
+export const RAY_STAGES = {
+  blocks: { grid: 0, blocks: 1, lattice: 8 },
+  cast: { grid: 0, blocks: 1, surface: 2, colours: 3, work: 4, lattice: 8, camera: 9 },
+} as const;
+
+export interface RayStages {
+  readonly blocks: GPUComputePipeline;
+  readonly cast: GPUComputePipeline;
+}
+
+type Load = (ingredients: Ingredients) => Promise<RayStages>;
+const made = new WeakMap<GPUDevice, Load>();
+
+/** The stages for ingredients, each compiled once a device. */
+export function rayStagesOn(device: GPUDevice): Load {
+  const load = made.get(device) ?? loader(device);
+  made.set(device, load);
+  return load;
+}
+
+function loader(device: GPUDevice): Load {
+  const known = new Map<string, Promise<RayStages>>();
+  return (ingredients) => {
+    const key = KINDS.map((kind) => namesOf(ingredients, kind).join(' ')).join(', ');
+    const stages = known.get(key) ?? loadStages(device, rayModules(ingredients));
+    known.set(key, stages);
+    // what failed once is tried again
+    stages.catch(() => known.delete(key));
+    return stages;
+  };
+}
+
+async function loadStages(device: GPUDevice, modules: Modules): Promise<RayStages> {
+  const load = async (name: string, entryPoint: string) => {
+    const label = `raycast/${name}`;
+    const module = await compile(device, label, link(modules, label));
+    const compute = { module, entryPoint };
+    return device.createComputePipelineAsync({ label, layout: 'auto', compute });
+  };
+  const [blocks, cast] = await Promise.all([load('blocks', 'blocks_of_bricks'), load('cast', 'cast_pixels')]);
+  return { blocks, cast };
+}
+
+/** All that the stages import. */
+export const rayModules = (ingredients: Ingredients): Modules => ({
+  ...brickModules(ingredients),
+  distance: '#import raycast/distance\n',
+  'record/rayCamera': RAY_CAMERA.wgsl,
+});

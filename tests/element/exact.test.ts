@@ -1,0 +1,216 @@
+/** The exact surface on the screen: cast where all rests, given up at any change, drawn image by image; pictures take turns. */
+import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
+import { apply } from '../../src/document/command/index.ts';
+import { type Document, EMPTY_DOCUMENT } from '../../src/document/document.ts';
+import { FRONT_VIEW } from '../../src/document/drawing.ts';
+import { Exact, type Seen, shownBodies } from '../../src/element/exact.ts';
+import { type Castable, RayWorker } from '../../src/element/rayWorker.ts';
+import type { Cast, FromExact, ToExact } from '../../src/field/exactWork.ts';
+import { OFFSETS } from '../../src/field/rayEdges.ts';
+import type { Scene, SurfaceImage } from '../../src/scene/index.ts';
+
+const PIXELS = { width: 20, height: 10 };
+const DOCUMENT: Document = apply(EMPTY_DOCUMENT, {
+  type: 'addBody',
+  name: 'Ball',
+  node: { type: 'shape', shape: { type: 'sphere', radius: 5 } },
+});
+
+const BODIES = shownBodies(DOCUMENT);
+
+class FakeWorker implements Castable {
+  onmessage: Castable['onmessage'] = null;
+  onerror: Castable['onerror'] = null;
+  readonly asked: ToExact[] = [];
+  ended = false;
+  postMessage(message: ToExact): void {
+    this.asked.push(message);
+  }
+  terminate(): void {
+    this.ended = true;
+  }
+  get last(): Cast {
+    return this.asked.filter((message) => message.type === 'cast').at(-1)!;
+  }
+  say(message: FromExact): void {
+    this.onmessage?.call({} as Worker, { data: message } as MessageEvent<FromExact>);
+  }
+  rows({ id, camera: { width, height } }: Cast, to = height): void {
+    const pixels = () => new Float32Array(4 * width * to);
+    this.say({ type: 'rows', id, from: 0, to, share: to / height, surface: pixels(), colours: pixels() });
+  }
+  edges({ id }: Cast): void {
+    this.say({ type: 'edges', id, places: new Uint32Array(0), evaluationsAPixel: 3, milliseconds: 1 });
+  }
+  again({ id }: Cast, count = OFFSETS.length): void {
+    for (const offset of OFFSETS.slice(0, count))
+      this.say({
+        type: 'again',
+        id,
+        recast: { offset, surface: new Float32Array(0), colours: new Float32Array(0) },
+      });
+  }
+  all(cast: Cast): void {
+    this.rows(cast);
+    this.edges(cast);
+    this.again(cast);
+  }
+}
+
+let worker: FakeWorker;
+let exact: Exact;
+let wakes: number;
+let drawn: SurfaceImage[];
+let refined: number | null;
+const scene = {
+  pixels: PIXELS,
+  get refined() {
+    return refined;
+  },
+  refine(image: SurfaceImage, { known = 1 } = {}) {
+    drawn.push(image);
+    if (known === 1 && refined !== null) refined++;
+    return true;
+  },
+} as unknown as Scene;
+const seen = (more: Partial<Seen> = {}): Seen => ({
+  scene,
+  bodies: BODIES,
+  view: FRONT_VIEW,
+  version: 1,
+  ...more,
+});
+
+/** Until all rests and rays are being cast. */
+function rested(of = seen()): void {
+  expect(exact.frame(of)).toBe(false);
+  vi.advanceTimersByTime(1000);
+  exact.frame(of);
+}
+
+beforeEach(() => {
+  vi.useFakeTimers();
+  worker = new FakeWorker();
+  wakes = 0;
+  drawn = [];
+  refined = 0;
+  exact = new Exact(() => void wakes++, new RayWorker(() => worker));
+});
+afterEach(() => void vi.useRealTimers());
+
+describe('Exact', () => {
+  it('casts when all rests, and no sooner', () => {
+    for (let height = 100; height < 110; height++) {
+      expect(exact.frame(seen({ view: { ...FRONT_VIEW, height } }))).toBe(false);
+      vi.advanceTimersByTime(30);
+    }
+    expect(worker.asked).toEqual([]);
+    vi.advanceTimersByTime(1000);
+    expect(wakes).toBe(1);
+    // the picture of meshes stays as it is
+    expect(exact.frame(seen({ view: { ...FRONT_VIEW, height: 109 } }))).toBe(true);
+    expect(worker.last.camera).toMatchObject({ ...PIXELS, view: { height: 109 } });
+    expect(exact.share).toBe(0);
+  });
+
+  it('draws what is there of the first image, then every image once, and leaves the picture as it is', () => {
+    rested();
+    worker.rows(worker.last, 5);
+    expect(exact.frame(seen())).toBe(true);
+    worker.rows(worker.last);
+    worker.edges(worker.last);
+    expect(exact.frame(seen())).toBe(true);
+    expect(exact.evaluationsAPixel).toBe(3);
+    worker.again(worker.last);
+    for (let i = 0; i < 10; i++) expect(exact.frame(seen())).toBe(true);
+    expect(exact.isWhole).toBe(true);
+    const offsets = drawn.map(({ camera }) => camera.offset);
+    expect(offsets).toEqual([[0.5, 0.5], [0.5, 0.5], ...OFFSETS]);
+    expect(drawn[0]!.items).toEqual(DOCUMENT.parts.map(({ id }) => id));
+  });
+
+  it('begins anew with what it has when the frame is gone, as after another size', () => {
+    rested();
+    worker.all(worker.last);
+    for (let i = 0; i < 10; i++) expect(exact.frame(seen())).toBe(true);
+    refined = null;
+    expect(exact.frame(seen())).toBe(false);
+    refined = 0;
+    drawn = [];
+    vi.advanceTimersByTime(1000);
+    for (let i = 0; i < 10; i++) expect(exact.frame(seen())).toBe(true);
+    expect(drawn.length).toBe(1 + OFFSETS.length);
+    expect(worker.asked.length).toBe(1);
+  });
+
+  it('casts nothing anew for another style, and all for another view', () => {
+    rested();
+    worker.all(worker.last);
+    for (let i = 0; i < 10; i++) exact.frame(seen());
+    drawn = [];
+    const other = seen({ version: 2 });
+    refined = 0;
+    expect(exact.frame(other)).toBe(false);
+    expect(exact.isWhole).toBe(false);
+    vi.advanceTimersByTime(1000);
+    for (let i = 0; i < 10; i++) exact.frame(other);
+    expect(drawn.length).toBe(1 + OFFSETS.length);
+    expect(worker.asked.length).toBe(1);
+    rested(seen({ version: 2, view: { ...FRONT_VIEW, height: 50 } }));
+    expect(worker.asked.filter(({ type }) => type === 'cast').length).toBe(2);
+  });
+
+  it('gives up at once what nobody waits for any more', () => {
+    rested();
+    const { id } = worker.last;
+    exact.frame(seen({ view: { ...FRONT_VIEW, height: 50 } }));
+    expect(worker.asked.at(-1)).toMatchObject({ type: 'stop' });
+    worker.say({ type: 'edges', id, places: new Uint32Array(0), evaluationsAPixel: 3, milliseconds: 1 });
+    expect(exact.evaluationsAPixel).toBeNull();
+    expect(drawn).toEqual([]);
+  });
+
+  it('wants nothing where there is no body, and shows meshes where rays are refused', () => {
+    expect(exact.frame(seen({ bodies: [] }))).toBe(false);
+    vi.advanceTimersByTime(1000);
+    expect(worker.asked).toEqual([]);
+    rested();
+    worker.say({ type: 'refused', id: worker.last.id, message: 'no field' });
+    expect(exact.frame(seen())).toBe(false);
+    expect(exact.problem).toBe('no field');
+    expect(exact.isWhole).toBe(true);
+  });
+
+  it('gives pictures all images, one after the other, while the screen waits', async () => {
+    rested();
+    const first = exact.images(BODIES, FRONT_VIEW, { width: 8, height: 6 });
+    const second = exact.images(BODIES, FRONT_VIEW, { width: 6, height: 8 });
+    await vi.waitFor(() => expect(worker.last.camera.width).toBe(8));
+    expect(exact.frame(seen())).toBe(false);
+    worker.all(worker.last);
+    expect((await first).map((image) => image().camera.offset)).toEqual([[0.5, 0.5], ...OFFSETS]);
+    await vi.waitFor(() => expect(worker.last.camera.width).toBe(6));
+    worker.say({ type: 'refused', id: worker.last.id, message: 'no room' });
+    await expect(second).rejects.toThrow('no room');
+    rested();
+    expect(worker.last.camera).toMatchObject(PIXELS);
+    expect(await exact.images([], FRONT_VIEW, PIXELS)).toEqual([]);
+  });
+
+  it('ends its worker, and what waits for it, with the element', async () => {
+    rested();
+    const waiting = exact.images(BODIES, FRONT_VIEW, PIXELS);
+    await vi.waitFor(() => expect(worker.asked.filter(({ type }) => type === 'cast').length).toBe(2));
+    exact.stop();
+    await expect(waiting).rejects.toThrow('given up');
+    expect(worker.ended).toBe(true);
+  });
+
+  it('has no more rays than can be paid for', () => {
+    const large = { ...scene, pixels: { width: 7680, height: 4320 } } as unknown as Scene;
+    rested(seen({ scene: large }));
+    const { width, height } = worker.last.camera;
+    expect(width * height).toBeLessThan(2.5e6);
+    expect(width / height).toBeCloseTo(16 / 9, 2);
+  });
+});

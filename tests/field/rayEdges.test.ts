@@ -1,0 +1,66 @@
+/** More rays at edges: against casting all pixels again. */
+import { describe, expect, it } from 'vitest';
+import { bindField } from '../../src/field/bind.ts';
+import type { FieldNode } from '../../src/field/node.ts';
+import { locating } from '../../src/field/polygonize.ts';
+import { edgesOf, imageThrough, OFFSETS } from '../../src/field/rayEdges.ts';
+import { NOWHERE, type RayCamera, type RayImage } from '../../src/field/rayImage.ts';
+import { emptyImage, SceneCaster, type Standing } from '../../src/field/rayScene.ts';
+import { UNMOVED } from '../../src/math/placement.ts';
+import { finished } from './finished.ts';
+
+const NODE: FieldNode = {
+  type: 'union',
+  form: 'hard',
+  parts: [
+    { type: 'shape', shape: { type: 'torus', ring: 20, tube: 6 }, colour: [0.8, 0.1, 0.1] },
+    { type: 'shape', shape: { type: 'box', half: [8, 8, 12] }, colour: [0.1, 0.1, 0.8] },
+  ],
+};
+const BODIES: readonly Standing[] = [
+  { located: finished(locating(bindField(NODE), 48)), placement: UNMOVED },
+];
+
+const turned = [0.3, 0.2, 0, Math.sqrt(0.87)] as const;
+const camera = (fov: number): RayCamera => ({
+  view: { pivot: [0, 0, 0], rotation: turned, height: 70, fov },
+  width: 90,
+  height: 70,
+  offset: [0.5, 0.5],
+});
+
+function cast(through: RayCamera): RayImage {
+  const image = emptyImage(through);
+  const caster = new SceneCaster(BODIES, through);
+  for (let y = 0; y < through.height; y++) caster.row(image, y);
+  return image;
+}
+
+describe.each([0, 40])('opening %d°', (fov) => {
+  const base = cast(camera(fov));
+  const edges = edgesOf(base, camera(fov));
+
+  it('finds edges and little else', () => {
+    const hits = base.surface.filter((value, i) => i % 4 === 3 && value !== NOWHERE).length;
+    expect(hits).toBeGreaterThan(500);
+    expect(edges.length).toBeGreaterThan(100);
+    expect(edges.length).toBeLessThan(0.6 * hits);
+    expect([...edges]).toEqual([...edges].sort((a, b) => a - b));
+  });
+
+  it.each(OFFSETS)('gives what all rays through %d, %d of the pixels give', (x, y) => {
+    const through = { ...camera(fov), offset: [x, y] as const };
+    const truth = cast(through);
+    const again = emptyImage({ width: edges.length, height: 1 });
+    const caster = new SceneCaster(BODIES, through);
+    for (const [i, at] of edges.entries()) caster.pixel(again, i, at % 90, Math.floor(at / 90));
+    const image = imageThrough(base, camera(fov), edges, { offset: [x, y], ...again });
+    const pixel = 70 / 70;
+    for (let at = 0; at < 90 * 70; at++) {
+      const [found, expected] = [image.surface[4 * at + 3]!, truth.surface[4 * at + 3]!];
+      expect(found === NOWHERE, `pixel ${at}`).toBe(expected === NOWHERE);
+      // what the curvature of a tube of 6 mm makes of a pixel of 1 mm
+      if (expected !== NOWHERE) expect(Math.abs(found - expected), `pixel ${at}`).toBeLessThan(0.4 * pixel);
+    }
+  });
+});
