@@ -7,6 +7,7 @@ import type { Cast, ExactBody, FromExact, ToExact } from '../field/exactWork.ts'
 import { type Located, locating } from '../field/polygonize.ts';
 import { edgesOf, OFFSETS, type Recast } from '../field/rayEdges.ts';
 import { emptyImage, type OwnImage, SceneCaster, type Standing } from '../field/rayScene.ts';
+import { sliced } from './sliced.ts';
 
 /** What this file needs of the scope of a worker, whose types cannot be there beside those of a page. */
 interface Scope {
@@ -14,8 +15,6 @@ interface Scope {
   postMessage(message: FromExact, transfer: readonly ArrayBufferLike[]): void;
 }
 
-/** ms of work between two looks at the messages */
-const SLICE = 12;
 /** ms between two parts of the image */
 const PART = 200;
 /** active bricks that are kept beyond those of the picture */
@@ -59,7 +58,7 @@ async function cast(job: Cast): Promise<void> {
   const wanted = () => job.id === latest;
   const start = performance.now();
   const before = workOf(bodies);
-  const image = await paused(rowsOf(job, bodies), wanted);
+  const image = await sliced(rowsOf(job, bodies), wanted);
   if (!image) return;
   const { camera, id } = job;
   const milliseconds = performance.now() - start;
@@ -67,7 +66,7 @@ async function cast(job: Cast): Promise<void> {
   const places = edgesOf(image, camera);
   scope.postMessage({ type: 'edges', id, places, evaluationsAPixel, milliseconds }, []);
   for (const offset of OFFSETS) {
-    const recast = await paused(again(job, bodies, places, offset), wanted);
+    const recast = await sliced(again(job, bodies, places, offset), wanted);
     if (!recast) return;
     scope.postMessage({ type: 'again', id, recast }, [recast.surface.buffer, recast.colours.buffer]);
   }
@@ -83,7 +82,7 @@ async function locatedOf({ key, node, cells }: ExactBody, { id }: Cast): Promise
   kept.delete(name);
   const wanted = () => id === latest || (wish?.bodies.some((body) => body.key === key) ?? false);
   const progress = (share: number) => say({ type: 'locating', id, share });
-  const located = known ?? (await paused(locating(bindField(node), cells), wanted, progress));
+  const located = known ?? (await sliced(locating(bindField(node), cells), wanted, progress));
   if (located) kept.set(name, located);
   return located;
 }
@@ -139,34 +138,6 @@ function* again(
   return { ...image, offset };
 }
 
-/** Null when it was given up. */
-async function paused<T>(
-  work: Generator<number, T>,
-  wanted: () => boolean,
-  progress: (share: number) => void = () => {},
-): Promise<T | null> {
-  let until = performance.now() + SLICE;
-  for (;;) {
-    const { done, value } = work.next();
-    if (done) return value;
-    if (performance.now() < until) continue;
-    progress(value);
-    await breath();
-    if (!wanted()) return null;
-    until = performance.now() + SLICE;
-  }
-}
-
 function say(message: FromExact): void {
   scope.postMessage(message, []);
-}
-
-const { port1, port2 } = new MessageChannel();
-
-/** Lets messages in. A timer would take 4 ms. */
-function breath(): Promise<void> {
-  return new Promise((resolve) => {
-    port1.onmessage = () => resolve();
-    port2.postMessage(null);
-  });
 }

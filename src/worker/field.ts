@@ -21,6 +21,7 @@ import { packBricks } from '../gpu/polygonize/lists.ts';
 import { packEdit } from '../gpu/polygonize/packEdit.ts';
 import { gpuWork } from '../gpu/polygonize/work.ts';
 import { LiveMeshes } from './liveMeshes.ts';
+import { sliced } from './sliced.ts';
 
 /** What this file needs of the scope of a worker, whose types cannot be there beside those of a page. */
 interface Scope {
@@ -28,8 +29,6 @@ interface Scope {
   postMessage(message: FromWorker, transfer: readonly ArrayBufferLike[]): void;
 }
 
-/** ms of work between two looks at the messages */
-const SLICE = 12;
 /** a draft of less than this share of the cells that come after it is worth its time */
 const COARSER = 0.6;
 
@@ -73,7 +72,9 @@ async function make(job: Make): Promise<void> {
     // an edit is soon done, and given up it would have to be begun anew
     const wanted = () => isLatest() || ((draft || isEdit) && i === 0 && wish !== null);
     const start = performance.now();
-    const step = await sliced(id, stepping(job, cells, draft), wanted);
+    const step = await sliced(stepping(job, cells, draft), wanted, (share) =>
+      say({ type: 'progress', id, share }),
+    );
     const rest = () => ({ id, draft: draft || !isLatest(), milliseconds: performance.now() - start });
     if (step) hand('mesh' in step ? handed(step, rest) : handedBricks(step, job, rest));
     if (!isLatest()) return;
@@ -116,20 +117,6 @@ function draftsBefore(resolution: number): readonly number[] {
   const half = Math.round(resolution / 2);
   if (DRAFT < COARSER * half) return [DRAFT, half];
   return DRAFT < COARSER * resolution ? [DRAFT] : [];
-}
-
-/** Null when it was given up. */
-async function sliced<T>(id: number, work: Generator<number, T>, wanted: () => boolean): Promise<T | null> {
-  let until = performance.now() + SLICE;
-  for (;;) {
-    const { done, value } = work.next();
-    if (done) return value;
-    if (performance.now() < until) continue;
-    say({ type: 'progress', id, share: value });
-    await breath();
-    if (!wanted()) return null;
-    until = performance.now() + SLICE;
-  }
 }
 
 type Meshed = Pick<Polygonized, 'mesh' | 'bricks' | 'evaluations'> & { readonly isEdit?: boolean };
@@ -179,14 +166,4 @@ function handedBricks(step: Located | LiveStep | Fitted, { node }: Make, rest: R
 
 function say(message: FromWorker): void {
   scope.postMessage(message, []);
-}
-
-const { port1, port2 } = new MessageChannel();
-
-/** Lets messages in. A timer would take 4 ms. */
-function breath(): Promise<void> {
-  return new Promise((resolve) => {
-    port1.onmessage = () => resolve();
-    port2.postMessage(null);
-  });
 }
