@@ -8,8 +8,8 @@
 // normal, mm before the pivot's plane
 @group(0) @binding(2) var<storage, read_write> surface: array<vec4f>;
 @group(0) @binding(3) var<storage, read_write> colours: array<vec4f>;
-// values of one skel that were asked
-@group(0) @binding(4) var<storage, read_write> work: array<atomic<u32>, 1>;
+// sixteenths of the terms that were asked, rounded up for each ray; rays that were given up
+@group(0) @binding(4) var<storage, read_write> work: array<atomic<u32>, 2>;
 
 // of a pixel: shorter steps are none
 const FINEST = 0.015625;
@@ -51,7 +51,7 @@ struct Caster {
 
 @compute @workgroup_size(8, 8)
 fn cast_pixels(@builtin(global_invocation_id) id: vec3u) {
-  let y = id.y;
+  let y = id.y + camera.row;
   if (id.x >= camera.picture.x || y >= camera.picture.y) {
     return;
   }
@@ -106,7 +106,9 @@ fn cast_pixels(@builtin(global_invocation_id) id: vec3u) {
       }
     }
   }
-  atomicAdd(&work[0], asked);
+  atomicAdd(&work[0], (asked + 15u) / 16u);
+  // a hit leaves the loop with its mode
+  atomicAdd(&work[1], u32(c.mode != NOTHING && c.mode != PAINT));
 }
 
 // On to the next brick that may hold surface, or to what is surely on the other side.

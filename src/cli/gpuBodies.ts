@@ -74,12 +74,17 @@ async function onGpu(
 
 /** The mesh, and what the device says that it took to find its bricks. */
 async function read(polygonizer: GpuPolygonizer, node: FieldNode, where: Where, name: string) {
-  const onDevice = await polygonizer.whole(node, where).catch((error: unknown) => {
+  try {
+    const onDevice = await polygonizer.whole(node, where);
+    try {
+      const mesh = await onDevice.read();
+      const { work } = await onDevice.needed();
+      return { mesh, work };
+    } finally {
+      onDevice.destroy();
+    }
+  } catch (error) {
     const reason = error instanceof Error ? error.message : String(error);
     throw new Problem(`--backend gpu, part “${name}”: ${reason}`, 1);
-  });
-  const mesh = await onDevice.read();
-  const { work } = await onDevice.needed();
-  onDevice.destroy();
-  return { mesh, work };
+  }
 }

@@ -26,6 +26,9 @@ const made = new WeakMap<FieldNode, Body>();
 /** What was made last; null: nothing yet. */
 export const bodyMade = (node: FieldNode): Body | null => made.get(node) ?? null;
 
+/** Of what was made last; where that is a stand-in, or nothing, those that are made unasked. */
+export const cellsMade = (node: FieldNode): number => bodyMade(node)?.cells || CELLS;
+
 export function keepBody(node: FieldNode, body: Body): void {
   made.set(node, body);
 }

@@ -53,8 +53,8 @@ export class Bodies {
   #seen: ReadonlyMap<string, FieldNode> = new Map();
   readonly #needs = new Needs();
   #job: Job | null = null;
-  /** the job that was given up last */
-  #before: Job | null = null;
+  /** jobs that were given up, which the worker may still come to an end with */
+  #givenUp: readonly Job[] = [];
   #latest = 0;
   #worker: BodyWorker | null = null;
   /** no worker starts here */
@@ -140,7 +140,7 @@ export class Bodies {
     if (job?.node === node && job.cells === cells && job.name === name) return;
     if (!this.#isAtWork) this.#since = performance.now();
     this.#isAtWork = true;
-    this.#before = job;
+    if (job) this.#givenUp = [...this.#givenUp, job];
     this.#job = { id: ++this.#latest, node, cells, name };
     this.share = 0;
     this.#send(this.#job);
@@ -228,7 +228,9 @@ export class Bodies {
 
   #hear(said: FromWorker): void {
     const job = this.#job;
-    if (said.type === 'made' && said.id === this.#before?.id) this.#takeLate(this.#before, said);
+    const late = this.#givenUp.find(({ id }) => id === said.id);
+    if (said.type === 'made' && late) this.#takeLate(late, said);
+    this.#givenUp = this.#givenUp.filter(({ id }) => id > said.id);
     if (!job || said.id !== job.id) return;
     if (said.type === 'progress') {
       this.share = said.share;
@@ -264,7 +266,6 @@ export class Bodies {
   #done({ node, cells }: Job, body: Body): void {
     keepBody(node, body);
     if (cells === this.#cellsOf(node)) this.#asked.set(node, cells);
-    this.#before = null;
     this.#job = null;
     if (cells !== DRAFT && body.mesh.indices.length === 0 && this.#missing(node) === null) {
       this.#problems.set(node, body.mesh.thin ? WORDS.tooThin : WORDS.noSurface);
@@ -283,6 +284,8 @@ export class Bodies {
 
   /** Nothing to do: a worker that waits is memory for nothing, where no edits are awaited. */
   #rest(): void {
+    if (this.#job) this.#worker?.postMessage({ type: 'stop', id: ++this.#latest });
+    this.#givenUp = [];
     if (!this.expectsEdits || this.#wanted.length === 0) {
       this.#worker?.terminate();
       this.#worker = null;

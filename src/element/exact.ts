@@ -2,7 +2,7 @@
  * The exact surface of bodies in the picture. While anything moves their meshes are seen; where all rests rays are cast beside the page, and
  * their image takes the place of the meshes row by row, then gets smoother edges. Any change gives it up at once.
  */
-import { bodyMade, CELLS } from '../document/bodies.ts';
+import { cellsMade } from '../document/bodies.ts';
 import { type Document, isBody } from '../document/document.ts';
 import type { RayCamera } from '../field/rayImage.ts';
 import type { Scene, SurfaceImage } from '../scene/index.ts';
@@ -206,7 +206,7 @@ export const shownBodies = ({ parts }: Document): readonly ShownBody[] =>
   parts
     .filter(isBody)
     .filter(({ hidden }) => !hidden)
-    .map(({ id, node, placement }) => ({ id, node, placement, cells: bodyMade(node)?.cells ?? CELLS }));
+    .map(({ id, node, placement }) => ({ id, node, placement, cells: cellsMade(node) }));
 
 function cameraOf(view: View, { width, height }: Scene['pixels']): RayCamera {
   const shrunk = Math.min(1, Math.sqrt(MOST_RAYS / (width * height)));

@@ -1,5 +1,5 @@
 /** What a pen points at on a body, on its surface itself: from the triangles, which are a part of a cell away from it, along the ray. */
-import type { Body } from '../document/bodies.ts';
+import { type Body, CELLS } from '../document/bodies.ts';
 import type { BodyPart } from '../document/document.ts';
 import { bindField } from '../field/bind.ts';
 import type { FieldNode } from '../field/node.ts';
@@ -24,7 +24,7 @@ export function exactHit(
   made: Pick<Body, 'mesh' | 'cells'>,
 ): Hit {
   const { min, max } = bounds(made.mesh);
-  const cell = Math.max(...sub3(max, min)) / made.cells;
+  const cell = Math.max(...sub3(max, min)) / (made.cells || CELLS);
   const field = bound.get(node) ?? bindField(node);
   bound.set(node, field);
   const { rotation, translation } = placement;

@@ -62,7 +62,12 @@ export class RayWorker implements Caster {
   #begin(): Castable {
     const worker = this.#start();
     worker.onmessage = ({ data }: MessageEvent<FromExact>) => this.#hear(data);
-    worker.onerror = ({ message }) => this.#refuse(message || 'no worker starts here');
+    worker.onerror = ({ message }) => {
+      // what could not be fetched, or may not be run, answers nobody
+      worker.terminate();
+      this.#worker = null;
+      this.#refuse(message || 'no worker starts here');
+    };
     return worker;
   }
 

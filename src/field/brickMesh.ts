@@ -136,7 +136,7 @@ export class BrickMesh {
   }
 
   #lookBetween(): void {
-    const missed = unseenIn(this.#brick, this.#own, this.#bricks.lattice);
+    const missed = unseenIn(this.#brick, this.#own, this.#bricks.lattice, this.#values.whole);
     if (missed) this.#unseen.push(missed);
     else this.#empty.push(this.#bricks.grid[this.#brickNumber()]!);
   }

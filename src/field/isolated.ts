@@ -100,7 +100,9 @@ function direction(x: number, y: number, z: number): Vec3 | null {
 /** What is elsewhere the mesh has. */
 function isIn(at: Vec3, { lattice, counts, grid }: Bricks, group: readonly number[]): boolean {
   const brick = (axis: 0 | 1 | 2) => Math.floor((at[axis] - lattice.origin[axis]) / (BRICK * lattice.step));
-  return group.includes(grid[brick(0) + counts[0] * (brick(1) + counts[1] * brick(2))]!);
+  const [i, j, k] = [brick(0), brick(1), brick(2)];
+  const isWithin = i >= 0 && j >= 0 && k >= 0 && i < counts[0] && j < counts[1] && k < counts[2];
+  return isWithin && group.includes(grid[i + counts[0] * (j + counts[1] * k)]!);
 }
 
 /** From side to side along the way that one came; as thick as a cell where that goes on inside. */

@@ -59,9 +59,12 @@ export class LiveMesh {
   *making(node: FieldNode): Generator<number, LiveMade> {
     let step = yield* this.#field.locating(node);
     let within = step.box;
+    let before = 0;
     for (let round = 0; ; round++) {
       const made = yield* this.#meshing(step);
-      if (!made.isCut || !within || round === ROUNDS) return made;
+      const evaluations = before + made.evaluations;
+      if (!made.isCut || !within || round === ROUNDS) return { ...made, evaluations };
+      before = evaluations;
       // a body that leaves what was kept, or what was thought to hold it
       if (!step.isEdit) within = grownWhere(within, this.#state!.values.exits) ?? within;
       step = yield* this.#field.locatingAnew(node, within);

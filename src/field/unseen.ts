@@ -8,6 +8,7 @@ import type { Vec3 } from '../math/vec.ts';
 import type { Brick } from './bricks.ts';
 import { CORNERS, SIDE } from './hermite.ts';
 import { BRICK, type Lattice } from './lattice.ts';
+import type { Near } from './near.ts';
 import { surfacePoint } from './surfacePoint.ts';
 import { between, THIN, type ThinSpot } from './thinWalls.ts';
 
@@ -32,8 +33,13 @@ const EDGES: readonly (readonly [corner: number, next: number, behind: number])[
 
 const value = new Float64Array(4);
 
-/** A place in a brick, of which no corner is inside, with these values; null where nothing was missed. */
-export function unseenIn({ i, j, k, near }: Brick, values: Float64Array, lattice: Lattice): ThinSpot | null {
+/** A place in a brick, of which no corner is inside, with these values; null where nothing was missed. `whole`: the field by all skels. */
+export function unseenIn(
+  { i, j, k, near }: Brick,
+  values: Float64Array,
+  lattice: Lattice,
+  whole: Near,
+): ThinSpot | null {
   const corner = suspect(values);
   if (corner < 0) return null;
   const { origin, step } = lattice;
@@ -53,7 +59,8 @@ export function unseenIn({ i, j, k, near }: Brick, values: Float64Array, lattice
   const low = near.value(...beyond);
   if (low > 0) return null;
   const inside = BEYOND.map((by) => along(reach + by * step)).find((at) => near.value(...at) > 0);
-  if (!inside) return null;
+  // beyond the brick its list says less
+  if (!inside || !(whole.value(...inside) > 0)) return null;
   const high = near.value(...inside);
   const p = surfacePoint(near, from, inside, first!, high);
   const q = surfacePoint(near, inside, beyond, high, low);

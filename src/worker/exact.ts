@@ -17,8 +17,8 @@ interface Scope {
 
 /** ms between two parts of the image */
 const PART = 200;
-/** active bricks that are kept beyond those of the picture */
-const MOST_BRICKS = 200_000;
+/** active bricks that are kept beyond those of the picture, some 10 kB each */
+const MOST_BRICKS = 10_000;
 
 const scope = self as unknown as Scope;
 let wish: Cast | null = null;
@@ -73,7 +73,7 @@ async function cast(job: Cast): Promise<void> {
 }
 
 const workOf = (bodies: readonly Standing[]): number =>
-  bodies.reduce((sum, { located }) => sum + located.tally.work, 0);
+  [...new Set(bodies.map(({ located }) => located.tally))].reduce((sum, { work }) => sum + work, 0);
 
 /** Goes on as long as this body is wanted, also for another picture. */
 async function locatedOf({ key, node, cells }: ExactBody, { id }: Cast): Promise<Located | null> {
@@ -89,8 +89,9 @@ async function locatedOf({ key, node, cells }: ExactBody, { id }: Cast): Promise
 
 /** What was not looked at for long goes, where there is too much. */
 function forget(needed: number): void {
-  let bricks = [...kept.values()].reduce((sum, located) => sum + located.bricks.active.length, 0);
-  for (const [name, located] of [...kept].slice(0, -needed)) {
+  const others = [...kept].slice(0, -needed);
+  let bricks = others.reduce((sum, [, located]) => sum + located.bricks.active.length, 0);
+  for (const [name, located] of others) {
     if (bricks <= MOST_BRICKS) return;
     bricks -= located.bricks.active.length;
     kept.delete(name);

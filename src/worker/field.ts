@@ -55,6 +55,8 @@ async function work(): Promise<void> {
     try {
       await make(job);
     } catch (error) {
+      // the page has not got what was on its way
+      onPage = null;
       say({ type: 'refused', id: job.id, message: error instanceof Error ? error.message : String(error) });
     }
   }

@@ -13,20 +13,24 @@ export type Slice = GPUBufferBinding & { readonly buffer: GPUBuffer; readonly si
 export class Buffers {
   readonly #device: GPUDevice;
   readonly #made = new Map<string, GPUBuffer>();
+  readonly #usages = new Map<string, number>();
 
   constructor(device: GPUDevice) {
     this.#device = device;
   }
 
-  /** The buffer of that name, with whatever is in it. RangeError for more than every device binds. */
+  /** The buffer of that name, with whatever is in it, but for one that was made for less. RangeError for more than every device binds. */
   get(name: string, size: number, usage: number): Slice {
     const known = this.#made.get(name);
-    if (known && known.size >= size) return { buffer: known, size };
+    const before = this.#usages.get(name) ?? 0;
+    if (known && known.size >= size && (before & usage) === usage) return { buffer: known, size };
     if (size > MOST_BYTES) throw new RangeError(`${name}: ${size} bytes are more than every device binds`);
     known?.destroy();
     // half as much again: bodies grow under the pen
-    const room = known ? Math.min(4 * Math.ceil((1.5 * size) / 4), MOST_BYTES) : size;
-    const buffer = this.#device.createBuffer({ label: name, size: room, usage });
+    const grown = known && known.size < size ? Math.min(4 * Math.ceil((1.5 * size) / 4), MOST_BYTES) : size;
+    const room = Math.max(grown, known?.size ?? 0);
+    const buffer = this.#device.createBuffer({ label: name, size: room, usage: before | usage });
+    this.#usages.set(name, before | usage);
     this.#made.set(name, buffer);
     return { buffer, size };
   }
@@ -42,6 +46,7 @@ export class Buffers {
   destroy(): void {
     for (const buffer of this.#made.values()) buffer.destroy();
     this.#made.clear();
+    this.#usages.clear();
   }
 }
 

@@ -44,7 +44,7 @@ export class LiveLists {
   /** of each brick of the lattice its slot, or OUTSIDE or INSIDE */
   readonly #grid: Int32Array<ArrayBuffer>;
   readonly #slots: Slot[] = [];
-  #room = 0;
+  #room = SLOTS;
   #rows = 0;
   /** the first row that is free, and how many before it no brick has any more */
   #end = 0;

@@ -167,6 +167,11 @@ class Polygonizer implements GpuPolygonizer {
       const needed = await mesh.needed();
       if (culled) this.#rooms.grow(culled, needed.bricks);
       const count = culled ? needed.bricks.at(-1)!.cubes : bricks;
+      const { vertices, triangles } = needed;
+      if (vertices > MOST.vertices || triangles > MOST.triangles)
+        throw new RangeError(
+          `${vertices} vertices and ${triangles} triangles are more than every device binds`,
+        );
       if (needed.vertices > 0) this.#needed = { ...needed, bricks: count };
       mesh.destroy();
     }
@@ -210,8 +215,8 @@ class Polygonizer implements GpuPolygonizer {
     const most = hasCreases ? MOST_CREASED : MOST.vertices;
     const alike = (known: number) => Math.ceil((known * count) / Math.max(1, bricks));
     return {
-      vertices: Math.max(Math.min(guess, most), alike(vertices)),
-      triangles: Math.max(Math.min(2 * guess, MOST.triangles), alike(triangles)),
+      vertices: Math.min(Math.max(guess, alike(vertices)), most),
+      triangles: Math.min(Math.max(2 * guess, alike(triangles)), MOST.triangles),
     };
   }
 

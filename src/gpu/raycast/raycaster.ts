@@ -1,6 +1,6 @@
 /**
- * Rays onto fields on the GPU, a thread a pixel. Twin of field/rayImage.ts: what is cast lies in two buffers on the device, which the scene
- * draws from where they are; bodies that are cast one after the other cover each other.
+ * Rays onto fields on the GPU, a thread a pixel. Twin of field/rayImage.ts: what is cast lies in two buffers on the device; bodies that are
+ * cast one after the other cover each other. The application does not use it yet: the scene's images have padded rows and numbers of bodies.
  */
 
 import { bindField } from '../../field/bind.ts';
@@ -27,8 +27,8 @@ export interface DeviceImage {
   readonly height: number;
   readonly surface: GPUBuffer;
   readonly colours: GPUBuffer;
-  /** Asks the device: what was asked of skels, in terms at places. */
-  work(): Promise<number>;
+  /** Asks the device: terms that were asked, nearly (rounded up to sixteen a ray), and rays that were given up. */
+  work(): Promise<{ readonly terms: number; readonly lost: number }>;
   read(): Promise<RayImage>;
   destroy(): void;
 }
@@ -55,6 +55,8 @@ const isCastOnDevice = (program: Program): boolean =>
   namesOf(program.ingredients, 'shapes').every((name) => shapes[name].exact);
 
 const GROUP = 8;
+/** of one dispatch */
+const MOST_RAYS = 1 << 17;
 
 export function gpuRaycaster(device: GPUDevice): GpuRaycaster {
   const stages = rayStagesOn(device);
@@ -64,17 +66,22 @@ export function gpuRaycaster(device: GPUDevice): GpuRaycaster {
       const own = new Buffers(device);
       const image = imageOf(own, camera);
       clear(device, image, camera);
-      for (const { node, bricks } of bodies) {
-        const program = programOf(node);
-        if (!isCulledOnDevice(program))
-          throw new RangeError('a tree that rays on the device know no bounds of');
-        const packed = 'lists' in bricks ? bricks : packBricks(node, bricks);
-        castOne(device, await stages(program.ingredients), work, image, camera, {
-          packed,
-          ...boundedProgram(node, program),
-          program,
-          plain: bindField(node).near(new Tally()).plain,
-        });
+      try {
+        for (const { node, bricks } of bodies) {
+          const program = programOf(node);
+          if (!isCastOnDevice(program))
+            throw new RangeError('a tree that rays on the device know no bounds of');
+          const packed = 'lists' in bricks ? bricks : packBricks(node, bricks);
+          castOne(device, await stages(program.ingredients), work, image, camera, {
+            packed,
+            ...boundedProgram(node, program),
+            program,
+            plain: bindField(node).near(new Tally()).plain,
+          });
+        }
+      } catch (error) {
+        own.destroy();
+        throw error;
       }
       return deviceImage(device, own, image, camera);
     },
@@ -95,7 +102,7 @@ function imageOf(buffers: Buffers, { width, height }: RayCamera): Image {
   return {
     surface: buffers.get('surface', 16 * width * height, usage),
     colours: buffers.get('colours', 16 * width * height, usage),
-    work: buffers.get('work', 4, usage),
+    work: buffers.get('work', 8, usage),
   };
 }
 
@@ -128,19 +135,37 @@ function castOne(
   const { counts, step } = packed.lattice;
   const blocks = counts.reduce((product, nodes) => product * Math.ceil((nodes - 1) / 16), 1);
   const size = (Math.max(...counts) - 1) * step;
-  const bound = {
-    ...field,
-    ...image,
-    blocks: work.get('blocks', 4 * blocks, USAGE.storage),
-    camera: work.put('camera', RAY_CAMERA.pack([cameraRecord(camera, leaves, size, plain)]), USAGE.uniform),
-  };
+  const shared = { ...field, ...image, blocks: work.get('blocks', 4 * blocks, USAGE.storage) };
+  const encoder = device.createCommandEncoder({ label: 'raycast blocks' });
+  const pass = encoder.beginComputePass({ label: 'raycast blocks' });
+  bind(device, pass, stages.blocks, 0, RAY_STAGES.blocks, shared);
+  pass.dispatchWorkgroups(Math.ceil(blocks / 64));
+  pass.end();
+  device.queue.submit([encoder.finish()]);
+  // in parts: what takes a slow device long in one piece it is thought to have died of
+  const rows = GROUP * Math.max(1, Math.floor(MOST_RAYS / camera.width / GROUP));
+  for (let row = 0; row < camera.height; row += rows) {
+    const record = cameraRecord(camera, leaves, size, plain, row);
+    castRows(
+      device,
+      stages,
+      { ...shared, camera: work.put('camera', RAY_CAMERA.pack([record]), USAGE.uniform) },
+      [Math.ceil(camera.width / GROUP), Math.ceil(Math.min(rows, camera.height - row) / GROUP)],
+    );
+  }
+}
+
+function castRows(
+  device: GPUDevice,
+  stages: RayStages,
+  bound: Readonly<Record<string, Slice>>,
+  groups: readonly [x: number, y: number],
+): void {
   const encoder = device.createCommandEncoder({ label: 'raycast' });
   const pass = encoder.beginComputePass({ label: 'raycast' });
-  bind(device, pass, stages.blocks, 0, RAY_STAGES.blocks, bound);
-  pass.dispatchWorkgroups(Math.ceil(blocks / 64));
   bind(device, pass, stages.cast, 0, RAY_STAGES.cast, bound);
   bind(device, pass, stages.cast, 1, { records: 0, lists: 1 }, bound);
-  pass.dispatchWorkgroups(Math.ceil(camera.width / GROUP), Math.ceil(camera.height / GROUP));
+  pass.dispatchWorkgroups(...groups);
   pass.end();
   device.queue.submit([encoder.finish()]);
 }
@@ -163,6 +188,7 @@ function cameraRecord(
   leaves: number,
   size: number,
   plain: Colour | null,
+  row: number,
 ) {
   const axis = (v: Vec3) => rotate3(view.rotation, v);
   return {
@@ -177,6 +203,7 @@ function cameraRecord(
     picture: [width, height],
     offset,
     colour: plain ? [...plain, 1] : [0, 0, 0, 0],
+    row,
   };
 }
 
@@ -193,7 +220,8 @@ function deviceImage(
     colours: colours.buffer,
     async work() {
       const [bytes] = await readBack(device, [work]);
-      return new Uint32Array(bytes!)[0]!;
+      const [sixteenths, lost] = new Uint32Array(bytes!);
+      return { terms: 16 * sixteenths!, lost: lost! };
     },
     async read() {
       const [at, painted] = await readBack(device, [surface, colours]);

@@ -23,6 +23,8 @@ export const RAY_CAMERA = record('RayCamera', {
   offset: 'vec2f',
   /** of all the body, where it has one colour; the fourth 1 then, else 0 */
   colour: 'vec4f',
+  /** the first row of this part of the picture */
+  row: 'u32',
 });
 
 /** Buffers of group 0 by their binding; `cast` has records and lists in group 1. */
