@@ -20,9 +20,11 @@ class FakeWorker implements BodyWorker {
   onerror: BodyWorker['onerror'] = null;
   ended = false;
   readonly asked: Make[] = [];
+  readonly stopped: number[] = [];
 
   postMessage(message: ToWorker): void {
     if (message.type === 'make') this.asked.push(message);
+    else this.stopped.push(message.id);
   }
   terminate(): void {
     this.ended = true;
@@ -254,6 +256,29 @@ describe('Bodies', () => {
       expect(bodyMade(second)).toMatchObject({ cells: 0, mesh: bodyMade(first)!.mesh });
       expect(bodyMade(second)!.mesh).not.toBe(old);
       expect(bodies.making).toBe(second);
+    });
+
+    it('shows it also where two more followed', () => {
+      edited(9);
+      worker().answer();
+      worker().answer();
+      const first = edited(10);
+      const { last } = worker();
+      edited(11);
+      const third = edited(12);
+      worker().answer(last, false, { isEdit: true });
+      expect(bodyMade(third)).toMatchObject({ cells: 0, mesh: bodyMade(first)!.mesh });
+    });
+
+    it('tells the worker to stop what nobody wants any more', () => {
+      const before = edited(9);
+      worker().answer();
+      worker().answer();
+      edited(10);
+      const { last } = worker();
+      bodies.want([{ id: 'part-0', node: before }]);
+      expect(bodies.making).toBeNull();
+      expect(worker().stopped.at(-1)).toBeGreaterThan(last.id);
     });
 
     it('shows nothing of another body in its place, nor of one that cannot be made', () => {

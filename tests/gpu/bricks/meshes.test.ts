@@ -73,6 +73,8 @@ function off(field: ReturnType<typeof bindField>, { positions }: FieldMesh, step
   return all[Math.floor(0.995 * all.length)]!;
 }
 
+const sphereOf = (radius: number): FieldNode => ({ type: 'shape', shape: { type: 'sphere', radius } });
+
 describeGpu('meshes of bricks that the device finds', () => {
   it.each(Object.entries(BODIES))(
     'are those of the CPU: %s',
@@ -96,6 +98,29 @@ describeGpu('meshes of bricks that the device finds', () => {
       expect(off(field, own, lattice.step)).toBeLessThan(OFF);
       const painted = own.colours.every((c, i) => Math.abs(c - expected.colours[i]!) < 0.02);
       expect(painted).toBe(true);
+    },
+    PATIENCE,
+  );
+
+  it(
+    'go before others and after them, whose bricks the CPU finds, on one polygonizer',
+    async () => {
+      const [large, small] = [bush(5), sphereOf(2)];
+      await withDevice(async (device) => {
+        const polygonizer = gpuPolygonizer(device);
+        for (const [node, culls] of [
+          [large, true],
+          [small, false],
+          [large, false],
+          [small, true],
+        ] as const) {
+          const lattice = latticeAround(bindField(node).box!, CELLS);
+          const mesh = await polygonizer.whole(node, culls ? lattice : bricksOf(node, lattice));
+          expect(topology(await mesh.read())).toMatchObject({ watertight: true });
+          mesh.destroy();
+        }
+        polygonizer.destroy();
+      });
     },
     PATIENCE,
   );

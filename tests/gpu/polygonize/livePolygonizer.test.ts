@@ -86,6 +86,26 @@ async function expectMeshOf(
 }
 
 describeGpu('a body that is edited on the GPU', () => {
+  it('makes nothing where nothing is, and something again', async () => {
+    await withDevice(async (device) => {
+      const polygonizer = gpuPolygonizer(device);
+      const live = livePolygonizer(device, polygonizer);
+      for (const [threshold, isEmpty] of [
+        [1e3, true],
+        [1, false],
+      ] as const) {
+        const node: FieldNode = { ...bones(3, 0), threshold } as FieldNode;
+        const { bricks } = finished(new LiveField(24, true).locating(node));
+        const mesh = await live.whole(node, packBricks(node, bricks));
+        const { triangles } = await mesh.needed();
+        expect(triangles === 0).toBe(isEmpty);
+        mesh.destroy();
+      }
+      live.destroy();
+      polygonizer.destroy();
+    });
+  });
+
   it('is evaluated and written where one of its skels moves', async () => {
     await withDevice(async (device) => {
       const polygonizer = gpuPolygonizer(device);

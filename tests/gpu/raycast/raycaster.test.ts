@@ -139,6 +139,24 @@ describeGpu('rays on the device are those of the CPU', () => {
     });
   });
 
+  it('what tells nothing ahead is refused', async () => {
+    const flat = body([
+      {
+        skel: { type: 'segment', a: [0, 0, 0], b: [9, 0, 0], weights: [2] },
+        warp: { section: { type: 'superQuadric', exponent: 4 }, scale: [1, 1], up: [0, 0, 1] },
+      },
+    ]);
+    for (const node of [flat, shape({ type: 'ellipsoid', radii: [3, 5, 4] })]) {
+      expect(castsOnDevice(node)).toBe(false);
+      await withDevice(async (device) => {
+        const caster = gpuRaycaster(device);
+        const cast = caster.cast([{ node, bricks: located(node, 16).bricks }], camera(20));
+        await expect(cast).rejects.toThrow(RangeError);
+        caster.destroy();
+      });
+    }
+  });
+
   const SEED = 3300;
   const COUNT = process.env.ROTUND_FULL ? 60 : 8;
   it(`trees drawn by lot (${COUNT} from seed ${SEED})`, async () => {
