@@ -40,7 +40,7 @@ export function* fitting(whole: Near, box: Box): Generator<number, Box | null> {
       const end = first && endTowards(first, axis, way, fine);
       if (end === null) return null;
       ends.push(end);
-      yield fine;
+      yield 0;
     }
     const [x0, x1, y0, y1, z0, z1] = ends as [number, number, number, number, number, number];
     const found = meet({ min: [x0, y0, z0], max: [x1, y1, z1] }, box);

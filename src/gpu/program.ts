@@ -51,7 +51,7 @@ export function programOf(node: FieldNode): Program {
 export interface Writer {
   readonly heap: Heap;
   readonly used: ReturnType<typeof noIngredients>;
-  /** the number of the next smooth field, as Near.branch has it; that of the blend or morph around, which is one */
+  /** the next leaf; the branch of the blend or morph around, which is one: that of its first leaf, where Near.branch has the set's own */
   readonly branches: { next: number; blended: number | null };
 }
 
@@ -144,8 +144,8 @@ function joined(a: Code, b: Code, join: Join): Code {
 const sideCount = ({ shape }: ShapeNode): number => bindShape(shape).facets?.count ?? 1;
 
 function sidesOf({ branches }: Writer, count: number): number {
-  const first = branches.next;
-  branches.next += count;
+  // as branchOf in field/near.ts has them
+  const first = SIDES * branches.next++;
   return branches.blended === null ? SIDES * first + count : SIDES * branches.blended + 1;
 }
 
@@ -153,7 +153,7 @@ function sidesOf({ branches }: Writer, count: number): number {
 function blended(writer: Writer, write: () => Code): Code {
   const { branches } = writer;
   const outer = branches.blended;
-  branches.blended ??= branches.next;
+  branches.blended ??= SIDES * branches.next;
   const code = write();
   branches.blended = outer;
   return code;

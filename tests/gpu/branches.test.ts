@@ -1,7 +1,7 @@
 /** Fields on the GPU know which smooth field their value is from, and its value alone, as on the CPU (Near.branch, Near.onBranch). */
 import { afterAll, expect, it } from 'vitest';
 import { bindField } from '../../src/field/bind.ts';
-import { type Near, Tally } from '../../src/field/near.ts';
+import { branchOf, type Near, Tally } from '../../src/field/near.ts';
 import type { FieldNode } from '../../src/field/node.ts';
 import { polygonize } from '../../src/field/polygonize.ts';
 import { compile, link } from '../../src/gpu/link.ts';
@@ -84,6 +84,29 @@ function branchesAbout(near: Near, [x, y, z]: Point): ReadonlySet<number> {
   return new Set(all.map((at) => near.branch(...at)));
 }
 
+/** The device's numbers of blends and morphs, which are of their first leaves, by the CPU's, which are of the sets. */
+function blendsOf(node: FieldNode): ReadonlyMap<number, number> {
+  const found = new Map<number, number>();
+  const count = { leaves: 0, sets: 0 };
+  const visit = (at: FieldNode): void => {
+    if (at.type === 'affine') visit(at.node);
+    else if (at.type === 'skels' || at.type === 'shape') count.leaves++;
+    else {
+      const set = ++count.sets;
+      if (at.type === 'blend' || at.type === 'morph') found.set(branchOf(-set), branchOf(count.leaves));
+      const parts = at.type === 'blend' ? [at.a, at.b] : at.type === 'morph' ? [at.from, at.to] : at.parts;
+      for (const part of parts) visit(part);
+    }
+  };
+  visit(node);
+  return found;
+}
+
+const toDevice = (node: FieldNode) => {
+  const blends = blendsOf(node);
+  return (branch: number) => blends.get(branch) ?? branch;
+};
+
 describeGpu('branches', () => {
   it('are those of the CPU on surfaces, and so are their values anywhere (40 trees, seeds from 7300)', async () => {
     const all = Array.from({ length: 40 }, (_, i): Asked => {
@@ -98,7 +121,9 @@ describeGpu('branches', () => {
       const points = positions.length > 0 ? lot.many(POINTS, vertex) : [];
       return { node, points, wanted: points.map(() => near.branch(...vertex())) };
     }).filter(({ points }) => points.length > 0);
-    const values = await onGpu(all);
+    const values = await onGpu(
+      all.map((asked) => ({ ...asked, wanted: asked.wanted.map(toDevice(asked.node)) })),
+    );
     const out = new Float64Array(4);
     let several = 0;
     all.forEach(({ node, points, wanted }, i) => {
@@ -107,7 +132,7 @@ describeGpu('branches', () => {
       points.forEach((p, k) => {
         const [, branch, , , value, ...gradient] = values[i]!.subarray(8 * k, 8 * k + 8);
         const about = `tree ${i}, point ${k}, branch ${wanted[k]}`;
-        expect([...branchesAbout(near, p)], about).toContain(branch);
+        expect([...branchesAbout(near, p)].map(toDevice(node)), about).toContain(branch);
         branches.add(branch!);
         near.onBranch(wanted[k]!, ...p, out);
         const scale = 1 + Math.abs(out[0]!);
