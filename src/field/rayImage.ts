@@ -24,7 +24,7 @@ export interface RayImage {
    * pivot that faces the camera; NOWHERE and no normal where there is none.
    */
   readonly surface: Float32Array;
-  /** Four a pixel: red, green, blue (0–1, linear), 1 where there is surface. */
+  /** Four a pixel: red, green, blue (0–1, linear), and 1 + the place of the body among those that were cast; 0 where there is none. */
   readonly colours: Float32Array;
 }
 
