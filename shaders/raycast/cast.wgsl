@@ -14,7 +14,7 @@
 // of a pixel: shorter steps are none
 const FINEST = 0.015625;
 // looks at most; who needs more grazes a surface all along
-const MOST_LOOKS = 256u;
+const MOST_LOOKS = 1024u;
 const NARROWINGS = 12u;
 const POLISHES = 3u;
 // of what is left, and of the lattice: a step that short leaves nothing to be seen; float32 knows no less

@@ -1,5 +1,5 @@
 /**
- * The exact surface of bodies in the picture. While anything moves their meshes are seen; where all rests rays are cast beside the page, and
+ * The exact surface of bodies in the picture. While anything moves their meshes are seen, or fewer rays where they are fast; where all rests rays are cast beside the page, and
  * their image takes the place of the meshes row by row, then gets smoother edges. Any change gives it up at once.
  */
 import { cellsMade } from '../document/bodies.ts';
@@ -82,6 +82,13 @@ export class Exact {
     if (!this.#rested) return false;
     if (!this.#images) this.#begin(bodies, camera);
     return this.#refine(scene);
+  }
+
+  /** Draws a frame of something that moves by rays as well, where they are fast enough; false: it is to be drawn with meshes. */
+  live({ scene, bodies, view }: Omit<Seen, 'version'>): boolean {
+    if (bodies.length === 0 || this.#isBusy || this.problem !== null) return false;
+    const image = this.#caster.live?.(bodies, view, scene.pixels);
+    return image ? scene.refine(image, { alone: true }) : false;
   }
 
   /** Nothing is wanted. */

@@ -87,7 +87,7 @@ export class Frames {
     this.#last = now;
     const moving = scene?.rig.update(seconds) ?? false;
     if (this.#stale && this.#due) this.#sync();
-    if (!this.#exact(moving)) scene?.render();
+    if (!this.#exact(moving) && !this.#live()) scene?.render();
     this.#drawn();
     if (moving || this.#stale) this.wake();
   }
@@ -124,6 +124,13 @@ export class Frames {
     if (look !== this.#look) this.version++;
     this.#look = look;
     return exact.frame({ scene, bodies: shownBodies(this.#session.shown()), view, version: this.version });
+  }
+
+  /** Whether what moves is drawn by rays. */
+  #live(): boolean {
+    const { scene, exact, look, view } = this.#session;
+    if (!scene || look.mode !== 'exact') return false;
+    return exact.live({ scene, bodies: shownBodies(this.#session.shown()), view });
   }
 
   /** A preview that took long waits its turn: the pen has the time before it. */

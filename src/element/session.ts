@@ -40,6 +40,7 @@ import { Exact } from './exact.ts';
 import { exactHit } from './exactPick.ts';
 import { Frames } from './frames.ts';
 import type { NoPicture } from './noPicture.ts';
+import { Rays } from './rays.ts';
 import { spoken } from './speech.ts';
 import { SURFACE, WORDS } from './words.ts';
 
@@ -99,7 +100,8 @@ export class Session implements Bench, Viewport {
   #lastView: View = FRONT_VIEW;
   readonly frames: Frames;
   readonly bodies = new Bodies((news) => this.#bodyNews(news));
-  readonly exact = new Exact(() => this.#exactNews());
+  readonly rays = new Rays();
+  readonly exact = new Exact(() => this.#exactNews(), this.rays);
   readonly #hooks: Hooks;
 
   constructor(hooks: Hooks) {
@@ -476,6 +478,7 @@ export class Session implements Bench, Viewport {
   attach(scene: Scene): void {
     if (this.scene !== scene) this.scene?.dispose();
     this.scene = scene;
+    this.rays.use(scene);
     this.frames.version++;
     scene.rig.setView(this.#lastView, false);
     scene.setLook(this.look);

@@ -82,6 +82,8 @@ export interface Refining {
   readonly enough?: number;
   /** how much of the image is there, 0–1 from the top: the rest shows that frame */
   readonly known?: number;
+  /** it is a frame of its own, like one that `render` draws: the view may be another one */
+  readonly alone?: boolean;
 }
 
 export interface SceneOptions {

@@ -176,12 +176,18 @@ export class Pipeline {
   /**
    * The picture with surfaces from this image, and the mean of it and those before since the last `render`. What `render` drew is seen
    * through it until there are `enough` of them; below the row `known` (0–1 from the top) it is all that is seen. False where there is
-   * nothing to see through.
+   * nothing to see through. `alone` it is what is drawn, as by `render`.
    */
-  refine(camera: ViewCamera, view: View, image: SurfaceImage, { enough = 1, known = 1 } = {}): boolean {
+  refine(
+    camera: ViewCamera,
+    view: View,
+    image: SurfaceImage,
+    { enough = 1, known = 1, alone = false } = {},
+  ): boolean {
     const refinement = this.#refinement;
-    if (!refinement.isBegun && !this.keep()) return false;
-    refinement.isBegun = true;
+    if (alone) refinement.end();
+    else if (!refinement.isBegun && !this.keep()) return false;
+    refinement.isBegun = !alone;
     this.#image.put(image, this.#seam);
     this.#image.tell(this.parts.leaveOut(image.items));
     this.#image.pivot.value = viewZ(camera, view.pivot);
@@ -192,7 +198,8 @@ export class Pipeline {
     const sheet = jittered(camera, this.#renderer, image.camera, () => this.#passes(camera, view));
     proxy.visible = false;
     this.parts.takeIn(image.items);
-    if (known < 1) this.#cover(sheet, this.#output);
+    if (alone) this.#sheet = sheet;
+    if (known < 1 || alone) this.#cover(sheet, this.#output);
     else {
       refinement.resize(this.#size.x, this.#size.y);
       this.#cover(sheet, refinement.sample);
@@ -200,7 +207,7 @@ export class Pipeline {
       this.#cover(refinement.shown, this.#output);
     }
     this.#fade.known.value = known;
-    this.#fade.share = 1 - (known < 1 ? 1 : refinement.count) / enough;
+    this.#fade.share = 1 - (known < 1 || alone ? 1 : refinement.count) / enough;
     if (this.#fade.share > 0) this.#blend(this.#fade.over, this.#output);
     this.#finish();
     return true;

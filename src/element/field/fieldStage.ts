@@ -10,6 +10,7 @@ import { FRONT_VIEW, holds, type Margins } from '../../scene/view.ts';
 import type { View } from '../../stroke/stroke.ts';
 import type { ShownBody } from '../caster.ts';
 import { Exact } from '../exact.ts';
+import { Rays } from '../rays.ts';
 
 /** From the right and a little above: degrees. */
 const [YAW, PITCH] = [32, -14];
@@ -55,6 +56,7 @@ export class FieldStage {
   margins = (): Margins => ({ left: 0.1, top: 0.1, right: 0.1, bottom: 0.1 });
   /** what rays are cast at; null: it is not made yet */
   cast: ShownBody | null = null;
+  readonly rays = new Rays();
   readonly exact: Exact;
   /** rises with every change of what the picture shows, but for the view */
   #version = 0;
@@ -77,7 +79,7 @@ export class FieldStage {
     this.exact = new Exact(() => {
       told();
       this.wake();
-    });
+    }, this.rays);
     this.#look = look;
     this.#drawn = drawn;
   }
@@ -92,6 +94,7 @@ export class FieldStage {
 
   attach(scene: Scene, reducedMotion: boolean): void {
     this.scene = scene;
+    this.rays.use(scene);
     this.#version++;
     scene.rig.reducedMotion = reducedMotion;
     scene.rig.setView(this.#view, false);
@@ -210,6 +213,13 @@ export class FieldStage {
     return this.exact.frame({ scene, bodies: [cast], view, version: this.#version });
   }
 
+  /** Whether what moves is drawn by rays. */
+  #live(): boolean {
+    const { scene, cast, view } = this;
+    if (!scene || !cast || this.#look.mode !== 'exact') return false;
+    return this.exact.live({ scene, bodies: [cast], view });
+  }
+
   #tick(now: number): void {
     this.#frame = 0;
     const seconds = Math.min(0.1, (now - this.#last) / 1000);
@@ -217,7 +227,7 @@ export class FieldStage {
     const moving = this.scene?.rig.update(seconds) ?? false;
     const share = this.#fadingAt(now);
     if (share === 0) this.#fading = null;
-    if (!this.#exact(moving || share > 0)) {
+    if (!this.#exact(moving || share > 0) && !(share === 0 && this.#live())) {
       this.scene?.fade(share);
       this.scene?.render();
     }

@@ -41,7 +41,8 @@ export interface GpuRaycaster {
   image(width: number, height: number): DeviceImage;
   /**
    * Begins rows of a picture, from … to before …: first of all row 0, with which what was there goes. The fourth of the colours is 1 + the
-   * place of the body in the list. The camera has the picture's size. What the device refuses is told to its error scopes.
+   * place of the body in the list. The camera has the picture's size. What the device refuses is told to its error scopes. Returns how many
+   * rays there are, a pixel's of each body.
    */
   cast(
     image: DeviceImage,
@@ -49,7 +50,7 @@ export interface GpuRaycaster {
     camera: RayCamera,
     from?: number,
     to?: number,
-  ): void;
+  ): number;
   /** Gives all back but bodies and images. */
   destroy(): void;
 }
@@ -71,8 +72,10 @@ export async function gpuRaycaster(device: GPUDevice): Promise<GpuRaycaster> {
       const picture = image as Picture;
       if (from === 0) picture.clear(work, clear, camera);
       const rows = GROUP * Math.max(1, Math.floor(MOST_RAYS / camera.width / GROUP));
+      let rays = 0;
       for (let row = from; row < to; row += rows)
-        castRows(device, work, picture, bodies, camera, [row, Math.min(row + rows, to)]);
+        rays += castRows(device, work, picture, bodies, camera, [row, Math.min(row + rows, to)]);
+      return rays;
     },
     destroy() {
       maker.destroy();
@@ -89,11 +92,11 @@ function castRows(
   bodies: readonly PlacedBody[],
   camera: RayCamera,
   rows: readonly [from: number, to: number],
-): void {
+): number {
   const shots = bodies
     .map((each, i) => shotOf(each, i + 1, camera, picture.stride, rows))
     .filter(({ frame }) => frame.left < frame.right && frame.top < frame.bottom);
-  if (shots.length === 0) return;
+  if (shots.length === 0) return 0;
   const cameras = work.put('cameras', packShots(shots), USAGE.uniform);
   const encoder = device.createCommandEncoder({ label: 'raycast' });
   const pass = encoder.beginComputePass({ label: 'raycast' });
@@ -108,7 +111,10 @@ function castRows(
   }
   pass.end();
   device.queue.submit([encoder.finish()]);
+  return shots.reduce((sum, { frame }) => sum + areaOf(frame), 0);
 }
+
+const areaOf = ({ left, right, top, bottom }: Frame): number => (right - left) * (bottom - top);
 
 function shotOf(
   { body, placement }: PlacedBody,
