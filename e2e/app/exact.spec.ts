@@ -143,6 +143,53 @@ for (const [address, backend] of [
   });
 }
 
+test('the graphics device casts the picture of the workers, and while the view turns', async ({ page }) => {
+  test.setTimeout(300_000);
+  const errors: string[] = [];
+  page.on('pageerror', (error) => errors.push(error.message));
+  page.on('console', (message) => message.type() === 'error' && errors.push(message.text()));
+  await open(page, '/?rays=device', TEXT);
+  await page.setViewportSize({ width: 300, height: 220 });
+  const look = (change: { readonly style?: 'toon' | 'hbed-ink'; readonly mode?: 'mesh' | 'exact' }) =>
+    page.evaluate((wanted) => document.querySelector('rotund-sketch')!.session.setLook(wanted), change);
+  const exact = async (): Promise<Shown> => {
+    await whole(page);
+    return takePicture(page);
+  };
+  await look({ style: 'toon', mode: 'exact' });
+  const toon = await exact();
+  // of the same images, or of those that are cast once more
+  await look({ style: 'hbed-ink' });
+  const ink = await exact();
+  await look({ mode: 'mesh' });
+  await page.evaluate(() => {
+    document.querySelector('rotund-sketch')!.session.rays.choice = 'worker';
+  });
+  await look({ mode: 'exact' });
+  expect(differing(ink, await exact(), 60)).toBeLessThan(10);
+  await look({ style: 'toon' });
+  expect(differing(toon, await exact(), 40)).toBeLessThan(10);
+  // while something moves
+  const isLive = await page.evaluate(async () => {
+    const { session } = document.querySelector('rotund-sketch')!;
+    session.rays.choice = 'device';
+    const { exact: seen } = session;
+    const live = seen.live.bind(seen);
+    const told: boolean[] = [];
+    seen.live = (now) => told[told.push(live(now)) - 1]!;
+    const view = session.scene!.rig.view();
+    session.scene!.rig.setView({ ...view, height: 1.02 * view.height }, false);
+    session.frames.wake();
+    await new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
+    return told;
+  });
+  expect(isLive[0]).toBe(true);
+  const turned = await takePicture(page);
+  await look({ mode: 'mesh' });
+  expect(differing(turned, await takePicture(page), 110)).toBeLessThan(30);
+  expect(errors).toEqual([]);
+});
+
 test('a pen points at the surface itself', async ({ page }) => {
   await open(page, '/', TEXT);
   const places = await page.evaluate(() => {

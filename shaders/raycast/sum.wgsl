@@ -10,7 +10,7 @@
 
 // Σ λ F − T along a ray: value and gradient, or value and colour, and what is sure ahead. Twin of src/field/sumSight.ts.
 
-// since it was last set to 0
+// since it was last set to 0; shapes too
 var<private> asked_terms: u32;
 
 struct Seen {

@@ -59,6 +59,7 @@ fn seen_leaf(step: Step, leaf: u32, p: vec3f, ray: vec3f, reach: f32, colours: b
     seen = seen_sum(load_sum(step.at), load_leaf(leaf), q, along, reach, colours);
   } else {
     let shape = load_shape(step.at);
+    asked_terms += 1u;
     let field = shape_field(shape, q);
     seen.field = select(field, vec4f(field.x, shape.colour), colours);
   }

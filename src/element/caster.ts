@@ -42,10 +42,14 @@ export interface Caster {
   /** What was wanted before is given up, and nothing more is told of it. */
   cast(bodies: readonly ShownBody[], camera: RayCamera, listener: CastListener): CastImages;
   /**
-   * An image within the time of a frame, with as many rays as that allows, beside what is wanted; null: it takes longer. It holds until the
-   * next.
+   * An image within so many ms, with as many rays as they allow, beside what is wanted; null: it takes longer. It holds until the next.
    */
-  live?(bodies: readonly ShownBody[], view: View, pixels: Scene['pixels']): SurfaceImage | null;
+  live?(
+    bodies: readonly ShownBody[],
+    view: View,
+    pixels: Scene['pixels'],
+    milliseconds: number,
+  ): SurfaceImage | null;
   /** Nothing is wanted for now. */
   stop(): void;
   /** Nothing is kept either; what was wanted is refused. */

@@ -19,8 +19,7 @@ import { Pace } from './pace.ts';
 
 /** ms of rays between two frames */
 const BAND = 8;
-/** ms of the rays of a frame of something that moves, and pixels along a ray's side there: what still looks like the surface */
-const LIVE = 12;
+/** pixels along a side for a ray where something moves: what still looks like the surface */
 const COARSER = [1, 2, 4] as const;
 /** ms until an image that nobody draws makes room for the next */
 const UNSEEN = 100;
@@ -64,9 +63,15 @@ export class DeviceRays implements Caster {
     return casting.images;
   }
 
-  live(bodies: readonly ShownBody[], view: View, pixels: Scene['pixels']): SurfaceImage | null {
+  live(
+    bodies: readonly ShownBody[],
+    view: View,
+    pixels: Scene['pixels'],
+    milliseconds: number,
+  ): SurfaceImage | null {
     const placed = this.#ready?.bodies.known(bodies);
-    const coarser = COARSER.find((side) => this.#isLive((pixels.width * pixels.height) / side ** 2));
+    const takes = this.#pace.milliseconds(pixels.width * pixels.height) ?? Infinity;
+    const coarser = COARSER.find((side) => takes <= milliseconds * side * side);
     if (!placed || coarser === undefined || !this.#ready) return null;
     const { raycaster } = this.#ready;
     const side = (length: number) => Math.max(1, Math.round(length / coarser));
@@ -153,11 +158,6 @@ export class DeviceRays implements Caster {
       return ready;
     });
     return this.#loading;
-  }
-
-  #isLive(rays: number): boolean {
-    const milliseconds = this.#pace.milliseconds(rays);
-    return milliseconds !== null && milliseconds <= LIVE;
   }
 
   #time(rays: number): void {

@@ -12,6 +12,8 @@ import { keyOf, RayWorker } from './rayWorker.ts';
 
 /** ms without a change until rays are cast, or until what was cast is shown again */
 const REST = 120;
+/** ms that rays may take of a frame of something that moves */
+const LIVE = 12;
 /** images after which nothing of the meshes is seen any more: fewer leave edges jagged */
 const ENOUGH = 3;
 /** of the rows of the first image: what more than this is drawn at once */
@@ -87,7 +89,7 @@ export class Exact {
   /** Draws a frame of something that moves by rays as well, where they are fast enough; false: it is to be drawn with meshes. */
   live({ scene, bodies, view }: Omit<Seen, 'version'>): boolean {
     if (bodies.length === 0 || this.#isBusy || this.problem !== null) return false;
-    const image = this.#caster.live?.(bodies, view, scene.pixels);
+    const image = this.#caster.live?.(bodies, view, scene.pixels, LIVE);
     return image ? scene.refine(image, { alone: true }) : false;
   }
 

@@ -11,7 +11,7 @@ import type { Caster, CastImages, CastListener, ShownBody } from './caster.ts';
 import { DeviceRays } from './deviceRays.ts';
 import { RayWorker } from './rayWorker.ts';
 
-/** `device`: software adapters too, for tests; they take longer than workers. */
+/** `device`: software adapters too, and live whatever it takes, for tests; they take longer than workers. */
 export type RayChoice = 'auto' | 'device' | 'worker';
 
 export class Rays implements Caster {
@@ -58,8 +58,14 @@ export class Rays implements Caster {
     return images;
   }
 
-  live(bodies: readonly ShownBody[], view: View, pixels: Scene['pixels']): SurfaceImage | null {
-    return this.#deviceFor(bodies)?.live?.(bodies, view, pixels) ?? null;
+  live(
+    bodies: readonly ShownBody[],
+    view: View,
+    pixels: Scene['pixels'],
+    milliseconds: number,
+  ): SurfaceImage | null {
+    const most = this.choice === 'device' ? Infinity : milliseconds;
+    return this.#deviceFor(bodies)?.live?.(bodies, view, pixels, most) ?? null;
   }
 
   stop(): void {
