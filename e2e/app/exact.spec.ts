@@ -149,7 +149,7 @@ test('the graphics device casts the picture of the workers, and while the view t
   page.on('pageerror', (error) => errors.push(error.message));
   page.on('console', (message) => message.type() === 'error' && errors.push(message.text()));
   await open(page, '/?rays=device', TEXT);
-  await page.setViewportSize({ width: 300, height: 220 });
+  await page.setViewportSize({ width: 240, height: 180 });
   const look = (change: { readonly style?: 'toon' | 'hbed-ink'; readonly mode?: 'mesh' | 'exact' }) =>
     page.evaluate((wanted) => document.querySelector('rotund-sketch')!.session.setLook(wanted), change);
   const exact = async (): Promise<Shown> => {
