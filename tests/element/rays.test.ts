@@ -21,11 +21,14 @@ const hard: FieldNode = {
     {
       skel: {
         type: 'polygon',
+        origin: [0, 0, 0],
+        u: [1, 0, 0],
+        v: [0, 1, 0],
         loops: [
           [
-            [0, 0, 0],
-            [4, 0, 0],
-            [0, 4, 0],
+            [0, 0],
+            [4, 0],
+            [0, 4],
           ],
         ],
         weight: 2,
