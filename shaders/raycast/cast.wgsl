@@ -151,7 +151,7 @@ fn find_brick(c: ptr<function, Caster>, walk: ptr<function, Walk>, is_first: boo
   (*c).before = (*walk).enter;
 }
 
-fn march(c: ptr<function, Caster>, walk: ptr<function, Walk>, seen: Seen, finest: f32) {
+fn march(c: ptr<function, Caster>, walk: ptr<function, Walk>, seen: Sighted, finest: f32) {
   let value = seen.field.x;
   let is_positive = value > 0.0;
   if (!(*c).knows_side) {

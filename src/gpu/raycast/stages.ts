@@ -1,8 +1,10 @@
 /** The pipelines of the ray-caster; only `cast` is made for the ingredients of a field, the others' modules are the same for all. */
 import { record } from '../../math/record.ts';
+import { shapes } from '../../shape/index.ts';
 import { brickModules } from '../bricks/stages.ts';
-import { type Ingredients, KINDS, namesOf } from '../ingredients.ts';
+import { type Ingredients, KINDS, namesOf, numberOf } from '../ingredients.ts';
 import { compile, link, type Modules } from '../link.ts';
+import { choice } from '../modules.ts';
 import { SHADERS } from '../shaders.ts';
 
 /** What is looked at, and from where. */
@@ -91,5 +93,14 @@ export const loadClear = (device: GPUDevice): Promise<GPUComputePipeline> =>
 export const rayModules = (ingredients: Ingredients): Modules => ({
   ...brickModules(ingredients),
   distance: '#import raycast/distance\n',
+  isDistance: distances(ingredients),
   'record/rayCamera': RAY_CAMERA.wgsl,
 });
+
+/** Which of the shapes are as far away as their values say. */
+function distances(ingredients: Ingredients): string {
+  const cases = namesOf(ingredients, 'shapes').map(
+    (name) => [numberOf('shapes', name), String(shapes[name].exact)] as const,
+  );
+  return choice('fn is_distance(kind: u32) -> bool', 'kind', cases, 'bool');
+}

@@ -5,6 +5,7 @@ import type { FieldNode } from '../../../src/field/node.ts';
 import { locating } from '../../../src/field/polygonize.ts';
 import { NOWHERE, type RayCamera, type RayImage, raycasting } from '../../../src/field/rayImage.ts';
 import { emptyImage, SceneCaster } from '../../../src/field/rayScene.ts';
+import type { Warp } from '../../../src/field/warp.ts';
 import { castsOnDevice } from '../../../src/gpu/raycast/castsOnDevice.ts';
 import { type GpuRaycaster, gpuRaycaster, type PlacedBody } from '../../../src/gpu/raycast/raycaster.ts';
 import { type Placement, UNMOVED } from '../../../src/math/placement.ts';
@@ -118,6 +119,29 @@ const blend: FieldNode = {
   a2: 2,
 };
 
+const LOBES = Array.from({ length: 24 }, (_, i) => 1 + 0.15 * (i % 3));
+const eggs: FieldNode = {
+  type: 'subtraction',
+  form: 'hard',
+  parts: [
+    shape({ type: 'ellipsoid', radii: [4, 8, 6] }),
+    placed(shape({ type: 'ellipsoid', radii: [5, 2, 3] }), 3, 2, 4),
+  ],
+};
+const sectioned = (section: Warp['section'], kernel: 'cauchy' | 'quartic' = 'cauchy'): FieldNode => ({
+  type: 'skels',
+  kernel,
+  params: kernel === 'cauchy' ? { s: 0.4 } : { R: 6 },
+  threshold: 1,
+  skels: [
+    {
+      skel: { type: 'segment', a: [-6, 0, 0], b: [6, 1, 0], radii: [3, 2] },
+      warp: { section, scale: [1, 1.6], up: [0, 0, 1] },
+    },
+    { skel: { type: 'point', at: [0, 5, 2], radius: 2 } },
+  ],
+});
+
 describeGpu('rays on the device are those of the CPU', () => {
   it.each([
     ['16 segments, in perspective', sceneNode('tree16'), 64, camera(2.2)],
@@ -127,6 +151,15 @@ describeGpu('rays on the device are those of the CPU', () => {
     ['a box less a sphere and a torus', cut, 48, camera(24)],
     ['a blend', blend, 48, camera(26)],
     ['from within', sphere(10), 32, camera(2, 100)],
+    ['an oval section', sectioned({ type: 'round' }), 48, camera(24)],
+    [
+      'a squarish section, finite support',
+      sectioned({ type: 'superQuadric', exponent: 4 }, 'quartic'),
+      48,
+      camera(24),
+    ],
+    ['a drawn section', sectioned({ type: 'polar', radii: LOBES }), 48, camera(24, 0)],
+    ['an egg less another', eggs, 48, camera(24)],
   ] as const)('%s', async (_, node, cells, of) => {
     const { hits, either, apart, normal, colour } = await compare(node, cells, of);
     expect(hits).toBeGreaterThan(50);
@@ -196,13 +229,13 @@ describeGpu('rays on the device are those of the CPU', () => {
   });
 
   it('what tells nothing ahead is refused', async () => {
-    const flat = body([
-      {
-        skel: { type: 'segment', a: [0, 0, 0], b: [9, 0, 0], weights: [2] },
-        warp: { section: { type: 'superQuadric', exponent: 4 }, scale: [1, 1], up: [0, 0, 1] },
-      },
-    ]);
-    for (const node of [flat, shape({ type: 'ellipsoid', radii: [3, 5, 4] })]) {
+    const egg = shape({ type: 'ellipsoid', radii: [3, 5, 4] });
+    const refused: readonly FieldNode[] = [
+      sectioned({ type: 'superQuadric', exponent: 1.5 }),
+      sectioned({ type: 'extrusion', exponent: 4 }),
+      { ...blend, a: egg },
+    ];
+    for (const node of refused) {
       expect(castsOnDevice(node)).toBe(false);
       await withCaster((caster) =>
         expect(caster.body(node, located(node, 16).bricks)).rejects.toThrow(RangeError),
