@@ -45,6 +45,8 @@ export class DeviceRays implements Caster {
   #ready: Ready | null = null;
   /** null: nothing is wanted, or all of it is there */
   #casting: Casting | null = null;
+  /** rays a pixel of the last live image: bodies do not fill it, or cover each other */
+  #share = 1;
   /** a live image is being timed */
   #isTimed = false;
   #isGone = false;
@@ -70,7 +72,7 @@ export class DeviceRays implements Caster {
     milliseconds: number,
   ): SurfaceImage | null {
     const placed = this.#ready?.bodies.known(bodies);
-    const takes = this.#pace.milliseconds(pixels.width * pixels.height) ?? Infinity;
+    const takes = this.#pace.milliseconds(this.#share * pixels.width * pixels.height) ?? Infinity;
     const coarser = COARSER.find((side) => takes <= milliseconds * side * side);
     if (!placed || coarser === undefined || !this.#ready) return null;
     const { raycaster } = this.#ready;
@@ -78,7 +80,9 @@ export class DeviceRays implements Caster {
     const camera = { view, width: side(pixels.width), height: side(pixels.height), offset: MIDDLE };
     // each is another's: all of it is cast
     const { surface, colours, stride } = this.#live.image(raycaster, {}, 0, camera);
-    this.#time(this.#live.go(raycaster, placed, camera, camera.height));
+    const rays = this.#live.go(raycaster, placed, camera, camera.height);
+    this.#share = rays / (camera.width * camera.height);
+    this.#time(rays);
     return { camera, items: bodies.map(({ id }) => id), surface, colours, stride };
   }
 
