@@ -2,7 +2,7 @@
  * Several bodies, each where it was put, in one image of rays: in each pixel the nearest. A body is only asked where it may be seen: in the
  * part of the picture that its lattice covers, and before what is already there.
  */
-import type { Placement } from '../math/placement.ts';
+import { type Placement, UNMOVED } from '../math/placement.ts';
 import { dot3, rotate3, sub3, unrotate3 } from '../math/tuple.ts';
 import type { Quat, Vec3 } from '../math/vec.ts';
 import { project } from '../stroke/plane.ts';
@@ -69,6 +69,17 @@ export class SceneCaster {
       if (x >= left && x < right && y >= top && y < bottom) body.cast(image, 4 * slot, x, y);
     }
   }
+}
+
+/** One body where it was made, with all rays; yields what share is done. The work is in the tally of what was located. Twin of shaders/raycast. */
+export function* raycasting(located: Standing['located'], camera: RayCamera): Generator<number, OwnImage> {
+  const image = emptyImage(camera);
+  const caster = new SceneCaster([{ located, placement: UNMOVED }], camera);
+  for (let y = 0; y < camera.height; y++) {
+    caster.row(image, y);
+    yield (y + 1) / camera.height;
+  }
+  return image;
 }
 
 class BodyCaster {
