@@ -58,8 +58,8 @@ export class RayBalls {
     this.#apart = (BRICK * step) / SIDE;
   }
 
-  /** How far a ray from (x, y, z) on stays in a ball on that side of the surface, mm. */
-  clear(ray: Ray, x: number, y: number, z: number, isInside: boolean): number {
+  /** How far a ray from (x, y, z) on stays in a ball on that side of the surface and `beside` mm off its border, mm. */
+  clear(ray: Ray, x: number, y: number, z: number, isInside: boolean, beside: number): number {
     const apart = this.#apart;
     const i = placeOf((x - this.#x) / apart);
     const j = placeOf((y - this.#y) / apart);
@@ -74,9 +74,9 @@ export class RayBalls {
       this.#radii[at] = radius;
     }
     if (radius < 0 !== isInside) return 0;
+    const reach = Math.abs(radius) - beside;
     const [dx, dy, dz] = [mx - x, my - y, mz - z];
-    const beside = dx * dx + dy * dy + dz * dz;
-    const left = radius * radius - beside;
+    const left = reach > 0 ? reach * reach - (dx * dx + dy * dy + dz * dz) : 0;
     if (!(left > 0)) return 0;
     const along = dx * ray[0] + dy * ray[1] + dz * ray[2];
     return along + Math.sqrt(left + along * along);

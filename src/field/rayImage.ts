@@ -23,9 +23,12 @@ export interface RayImage {
    * pivot that faces the camera; NOWHERE and no normal where there is none.
    */
   readonly surface: Float32Array;
-  /** Four a pixel: red, green, blue (0–1, linear), 1 where there is surface. */
+  /** Four a pixel: red, green, blue (0–1, linear), 1 where there is surface; where there is none, PASSED instead of red if a ray passed one by less than a pixel. */
   readonly colours: Float32Array;
 }
+
+/** in the place of a colour that nobody sees */
+export const PASSED = 1;
 
 /** a power of two: the same in float32 */
 export const NOWHERE = -1.2676506002282294e30;

@@ -9,7 +9,7 @@ import { project } from '../stroke/plane.ts';
 import type { View } from '../stroke/stroke.ts';
 import type { Located } from './polygonize.ts';
 import { type Ray, Raycaster } from './raycast.ts';
-import { back, NOWHERE, type RayCamera, type RayImage, rayOf } from './rayImage.ts';
+import { back, NOWHERE, PASSED, type RayCamera, type RayImage, rayOf } from './rayImage.ts';
 
 /** A body in the model. */
 export interface Standing {
@@ -104,7 +104,10 @@ class BodyCaster {
   cast({ surface, colours }: RayImage, at: number, x: number, y: number): void {
     const ray = rayOf(this.#camera, x, y);
     const caster = this.#caster;
-    if (!caster.cast(ray, this.#reach(ray, surface[at + 3]!))) return;
+    if (!caster.cast(ray, this.#reach(ray, surface[at + 3]!))) {
+      if (caster.passed && surface[at + 3] === NOWHERE) colours[at] = PASSED;
+      return;
+    }
     const { normal, colour, at: place } = caster.hit;
     const before = dot3(sub3(place, this.#camera.view.pivot), this.#back);
     if (before <= surface[at + 3]!) return;

@@ -19,6 +19,10 @@ const FINEST = 1 / 64;
 const NARROWINGS = 40;
 /** of a pixel: after a step of Newton's as short nothing is left to be seen */
 const CLOSE = 1e-6;
+/** of a pixel: a ray that passes a surface so near may have passed what is thinner than a pixel */
+const BESIDE = 0.6;
+/** pixels: where the surface is not reached for longer, it is not so near */
+const AHEAD = 8;
 /** shortest steps: what is surely free for longer is not yet worth a look for the place where it ends */
 const FAR = 16;
 /** of the longest side of the lattice: what near lists miss may move the hit along the ray so far before all skels are asked */
@@ -59,6 +63,8 @@ export class Raycaster {
   readonly #size: number;
   #ray: Ray = { from: [0, 0, 0], along: [1, 0, 0], nearest: 0, pixel: 1, growth: 0 };
   readonly hit = new Hit();
+  /** whether the last ray passed a surface by less than `BESIDE` before it met one, if it did */
+  passed = false;
   readonly #balls: BrickBalls;
 
   constructor({ whole, tally, bricks }: Pick<Located, 'whole' | 'tally' | 'bricks'>) {
@@ -79,6 +85,7 @@ export class Raycaster {
   /** Whether the ray meets the surface within `farthest` mm, in which case `hit` says where. */
   cast(ray: Ray, farthest = Infinity): boolean {
     this.#ray = ray;
+    this.passed = false;
     const walk = this.#walk;
     if (!walk.begin(ray.from, ray.along, ray.nearest, farthest)) return false;
     const { active } = this.#walked.bricks;
@@ -123,13 +130,14 @@ export class Raycaster {
         );
       }
       const clear = near.clear();
-      if (t + clear >= stop) return false;
-      if (clear < FAR * finest) {
+      if (t + clear < stop && clear < FAR * finest) {
         const reached = near.reached(clear);
         if (t + reached <= stop) {
           return this.#between(near, t + clear, t + reached, t + 0.5 * (clear + reached), isInside);
         }
       }
+      if (!this.passed) this.passed = this.#isBeside(near, clear, pixel + growth * t);
+      if (t + clear >= stop) return false;
       before = t;
       atBefore = value;
       t = Math.min(t + Math.max(clear, finest), stop);
@@ -137,12 +145,18 @@ export class Raycaster {
     }
   }
 
+  /** Whether the surface is so near that a thin body might be missed; `clear`: of the last look. */
+  #isBeside(near: Near, clear: number, pixel: number): boolean {
+    if (clear > AHEAD * pixel) return false;
+    return (near.around() || clear) < BESIDE * pixel;
+  }
+
   /** Where the balls of the brick leave the ray that comes in at `t`; they are asked until they help on by less than `least` mm. */
   #free(balls: RayBalls, t: number, stop: number, isInside: boolean, least: number): number {
-    const { along } = this.#ray;
+    const { along, pixel, growth } = this.#ray;
     for (let at = t; ; ) {
       const [x, y, z] = this.#place(at);
-      const free = balls.clear(along, x, y, z, isInside);
+      const free = balls.clear(along, x, y, z, isInside, BESIDE * (pixel + growth * at));
       if (!(free > least)) return at;
       at += free;
       if (at >= stop) return stop;
