@@ -2,7 +2,7 @@
  * Several bodies, each where it was put, in one image of rays: in each pixel the nearest. A body is only asked where it may be seen: in the
  * part of the picture that its lattice covers, and before what is already there.
  */
-import type { Placement } from '../math/placement.ts';
+import { type Placement, UNMOVED } from '../math/placement.ts';
 import { dot3, rotate3, sub3, unrotate3 } from '../math/tuple.ts';
 import type { Quat, Vec3 } from '../math/vec.ts';
 import { project } from '../stroke/plane.ts';
@@ -10,7 +10,7 @@ import type { View } from '../stroke/stroke.ts';
 import type { Lattice } from './lattice.ts';
 import type { Located } from './polygonize.ts';
 import { type Ray, Raycaster } from './raycast.ts';
-import { back, NOWHERE, type RayCamera, type RayImage, rayOf } from './rayImage.ts';
+import { back, NOWHERE, PASSED, type RayCamera, type RayImage, rayOf } from './rayImage.ts';
 
 /** A body in the model. */
 export interface Standing {
@@ -72,6 +72,17 @@ export class SceneCaster {
   }
 }
 
+/** One body where it was made, with all rays; yields what share is done. The work is in the tally of what was located. Twin of shaders/raycast. */
+export function* raycasting(located: Standing['located'], camera: RayCamera): Generator<number, OwnImage> {
+  const image = emptyImage(camera);
+  const caster = new SceneCaster([{ located, placement: UNMOVED }], camera);
+  for (let y = 0; y < camera.height; y++) {
+    caster.row(image, y);
+    yield (y + 1) / camera.height;
+  }
+  return image;
+}
+
 class BodyCaster {
   readonly frame: Frame;
   readonly #caster: Raycaster;
@@ -94,7 +105,10 @@ class BodyCaster {
   cast({ surface, colours }: RayImage, at: number, x: number, y: number): void {
     const ray = rayOf(this.#camera, x, y);
     const caster = this.#caster;
-    if (!caster.cast(ray, this.#reach(ray, surface[at + 3]!))) return;
+    if (!caster.cast(ray, this.#reach(ray, surface[at + 3]!))) {
+      if (caster.passed && surface[at + 3] === NOWHERE) colours[at] = PASSED;
+      return;
+    }
     const { normal, colour, at: place } = caster.hit;
     const before = dot3(sub3(place, this.#camera.view.pivot), this.#back);
     if (before <= surface[at + 3]!) return;

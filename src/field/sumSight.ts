@@ -60,6 +60,23 @@ export class SumSight {
     return along.known > 0 ? along.clear() : clearAlong(rangeOf(near), this.#at, this.#ray, along.reach);
   }
 
+  reached(clear: number): number {
+    const along = this.#along;
+    return along.known > 0 ? along.reached(clear) : Infinity;
+  }
+
+  around({ far: { taylor } }: NearList): number {
+    const along = this.#along;
+    if (!(along.known > 0)) return 0;
+    const { ahead, scale } = along;
+    const stretch = this.#frame?.reach(1) ?? 1;
+    // the ray was told of what it meets, in its own direction
+    along.reach *= along.stretch / stretch;
+    along.stretch = stretch;
+    const slope = Math.sqrt(ahead[1]! * ahead[1]! + ahead[2]! * ahead[2]! + ahead[3]! * ahead[3]!);
+    return along.around(scale * stretch * slope, scale * stretch * stretch * most(taylor));
+  }
+
   range(near: Near, t: number, out: Float64Array): void {
     const along = this.#along;
     if (t <= along.known) along.range(t, out);
@@ -72,6 +89,12 @@ const rangeOf = (near: Near) => (x: number, y: number, z: number, half: number, 
   out[0] = low;
   out[1] = high;
 };
+
+/** The same to any side, at most. */
+function most(c: Taylor): number {
+  const square = (i: number) => c[i]! * c[i]!;
+  return Math.sqrt(square(4) + square(5) + square(6) + 0.5 * (square(7) + square(8) + square(9)));
+}
 
 /** Half the second derivative of a polynomial. */
 function curve(c: Taylor, x: number, y: number, z: number): number {
