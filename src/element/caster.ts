@@ -1,4 +1,4 @@
-/** Who casts rays for the element: a worker (rayWorker.ts) today; a graphics device whose images stay on it would meet the same contract. */
+/** Who casts rays for the element: workers (rayWorker.ts), or a graphics device whose images stay on it. */
 import type { FieldNode } from '../field/node.ts';
 import type { RayCamera } from '../field/rayImage.ts';
 import type { Placement } from '../math/placement.ts';
@@ -18,8 +18,8 @@ export interface CastImages {
   /** images that are whole, and how many there will be */
   readonly count: number;
   readonly whole: number;
-  /** rows of the first that are there, 0–1 from the top */
-  readonly known: number;
+  /** rows of the first that are there, from … to …, 0–1 from the top */
+  readonly known: readonly [from: number, to: number];
   /** 0–1 of what is being done until the first is whole */
   readonly share: number;
   /** of the first image, in values of one skel; null until it is whole */

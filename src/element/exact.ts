@@ -15,7 +15,9 @@ const REST = 120;
 /** images after which nothing of the meshes is seen any more: fewer leave edges jagged */
 const ENOUGH = 3;
 /** of the rows of the first image: what more than this is drawn at once */
-const PART = 0.12;
+const PART = 0.2;
+/** ms without a wish until the workers end: their bricks are worth keeping while somebody goes back and forth */
+const IDLE = 20_000;
 /** rays a picture: larger ones have a ray for several pixels */
 const MOST_RAYS = 2.4e6;
 
@@ -47,6 +49,7 @@ export class Exact {
   /** how much of the first image is drawn before it is whole */
   #known = 0;
   #timer: ReturnType<typeof setTimeout> | undefined;
+  #idle: ReturnType<typeof setTimeout> | undefined;
   #rested = false;
   /** a picture is made: the screen waits */
   #isBusy = false;
@@ -66,6 +69,7 @@ export class Exact {
       this.rest();
       return false;
     }
+    this.#keep();
     const camera = cameraOf(view, scene.pixels);
     const cast = JSON.stringify([
       camera,
@@ -92,11 +96,13 @@ export class Exact {
     this.#drawn = '';
     clearTimeout(this.#timer);
     this.#rested = false;
+    this.#letGo();
   }
 
   /** Nobody is there to see them. */
   stop(): void {
     this.rest();
+    this.#keep();
     this.#caster.end();
   }
 
@@ -131,6 +137,7 @@ export class Exact {
 
   async #whole(bodies: readonly ShownBody[], camera: RayCamera): Promise<Images> {
     this.#giveUp();
+    this.#keep();
     this.#isBusy = true;
     try {
       const images = await new Promise<CastImages>((resolve, reject) => {
@@ -142,8 +149,19 @@ export class Exact {
       return Array.from({ length: images.whole }, (_, i) => () => images.image(i));
     } finally {
       this.#isBusy = false;
+      this.#letGo();
       this.#changed();
     }
+  }
+
+  #keep(): void {
+    clearTimeout(this.#idle);
+  }
+
+  #letGo(): void {
+    if (this.#isBusy) return;
+    this.#keep();
+    this.#idle = setTimeout(() => this.#caster.end(), IDLE);
   }
 
   #giveUp(): void {
@@ -178,8 +196,9 @@ export class Exact {
   #inPart(scene: Scene, images: CastImages): boolean {
     const { known } = images;
     if (this.problem !== null) return false;
-    if (known - this.#known < PART) return true;
-    this.#known = known;
+    const share = known[1] - known[0];
+    if (share - this.#known < PART) return true;
+    this.#known = share;
     return scene.refine(images.image(0), { known, enough: ENOUGH });
   }
 
