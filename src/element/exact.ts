@@ -14,8 +14,12 @@ import { keyOf, RayWorker } from './rayWorker.ts';
 const REST = 120;
 /** images after which nothing of the meshes is seen any more: fewer leave edges jagged */
 const ENOUGH = 3;
-/** of the rows of the first image: what more than this is drawn at once */
+/**
+ * What is there of the first image is drawn when this is more than was drawn, of its rows, and so many ms after it: a software adapter takes
+ * a third of a second, which the rays could have.
+ */
 const PART = 0.2;
+const PAUSE = 1000;
 /** ms without a wish until the workers end: their bricks are worth keeping while somebody goes back and forth */
 const IDLE = 20_000;
 /** rays a picture: larger ones have a ray for several pixels */
@@ -46,7 +50,8 @@ export class Exact {
   #drawn = '';
   /** images that are drawn */
   #count = 0;
-  /** how much of the first image is drawn before it is whole */
+  /** ms, when the rays began, or what was there of them was drawn last */
+  #drawnAt = 0;
   #known = 0;
   #timer: ReturnType<typeof setTimeout> | undefined;
   #idle: ReturnType<typeof setTimeout> | undefined;
@@ -173,7 +178,6 @@ export class Exact {
 
   #wait(): void {
     this.#count = 0;
-    this.#known = 0;
     this.#rested = false;
     clearTimeout(this.#timer);
     this.#timer = setTimeout(() => {
@@ -183,6 +187,8 @@ export class Exact {
   }
 
   #begin(bodies: readonly ShownBody[], camera: RayCamera): void {
+    this.#drawnAt = performance.now();
+    this.#known = 0;
     this.#images = this.#caster.cast(bodies, camera, {
       changed: () => this.#changed(),
       refused: (why) => {
@@ -192,12 +198,13 @@ export class Exact {
     });
   }
 
-  /** More rows of the first; few at a time would cost more than they show. */
+  /** More rows of the first, now and then. */
   #inPart(scene: Scene, images: CastImages): boolean {
     const { known } = images;
     if (this.problem !== null) return false;
-    const share = known[1] - known[0];
-    if (share - this.#known < PART) return true;
+    const [now, share] = [performance.now(), known[1] - known[0]];
+    if (share - this.#known < PART || now - this.#drawnAt < PAUSE) return true;
+    this.#drawnAt = now;
     this.#known = share;
     return scene.refine(images.image(0), { known, enough: ENOUGH });
   }

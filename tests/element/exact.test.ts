@@ -123,7 +123,12 @@ describe('Exact', () => {
   it('draws what is there of the first image, then every image once, and leaves the picture as it is', () => {
     rested();
     worker.answer(1);
+    // few rows at a time would cost more than they show
     expect(exact.frame(seen())).toBe(true);
+    expect(drawn).toEqual([]);
+    vi.advanceTimersByTime(2000);
+    for (let i = 0; i < 3; i++) expect(exact.frame(seen())).toBe(true);
+    expect(drawn.length).toBe(1);
     worker.answer(2);
     expect(exact.frame(seen())).toBe(true);
     expect(exact.evaluationsAPixel).toBe((3 * WORK) / (20 * 40));
