@@ -16,10 +16,10 @@ const REST = 120;
 const ENOUGH = 3;
 /**
  * What is there of the first image is drawn when this is more than was drawn, of its rows, and so many ms after it: a software adapter takes
- * a third of a second, which the rays could have.
+ * half a second, which the rays could have.
  */
-const PART = 0.2;
-const PAUSE = 1000;
+const PART = 0.3;
+const PAUSE = 1500;
 /** ms without a wish until the workers end: their bricks are worth keeping while somebody goes back and forth */
 const IDLE = 20_000;
 /** rays a picture: larger ones have a ray for several pixels */
