@@ -42,6 +42,8 @@ export interface Caster {
   cast(bodies: readonly ShownBody[], camera: RayCamera, listener: CastListener): CastImages;
   /** Nothing is wanted for now. */
   stop(): void;
+  /** Nothing was wanted for long: what can be made again goes. */
+  idle?(): void;
   /** Nothing is kept either; what was wanted is refused. */
   end(): void;
 }

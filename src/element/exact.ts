@@ -20,7 +20,7 @@ const ENOUGH = 3;
  */
 const PART = 0.3;
 const PAUSE = 1500;
-/** ms without a wish until the workers end: their bricks are worth keeping while somebody goes back and forth */
+/** ms without a wish until workers end: bricks are worth keeping while somebody goes back and forth */
 const IDLE = 20_000;
 /** rays a picture: larger ones have a ray for several pixels */
 const MOST_RAYS = 2.4e6;
@@ -166,7 +166,7 @@ export class Exact {
   #letGo(): void {
     if (this.#isBusy) return;
     this.#keep();
-    this.#idle = setTimeout(() => this.#caster.end(), IDLE);
+    this.#idle = setTimeout(() => this.#caster.idle?.(), IDLE);
   }
 
   #giveUp(): void {

@@ -74,6 +74,10 @@ export class RayWorker implements Caster {
 
   end(): void {
     this.#refuse('given up');
+    this.idle();
+  }
+
+  idle(): void {
     for (const { worker } of this.#hands) worker.terminate();
     this.#hands = [];
   }
