@@ -1,6 +1,11 @@
 /**
  * The exact surface of bodies in the picture. While anything moves their meshes are seen; where all rests rays are cast beside the page, and
- * their image takes the place of the meshes row by row, then gets smoother edges. Any change gives it up at once.
+ * their image takes the place of the meshes, then gets smoother edges. Any change gives it up at once.
+ *
+ * The mesh is the reduced resolution: it is less than a pixel off, has smooth edges and is there at once; a coarse image of rays is none of
+ * these. So that nothing pops, no image weighs more than a third in the first picture: what is there of the first (bands from the middle outwards,
+ * with a soft border, at most three times) shows as lightly as all of it will, and with the third the mesh is gone. Everything is cast anew where
+ * one of several bodies moves: which pixels another body's shape or its absence leaves alone was not worth the care.
  */
 import { cellsMade } from '../document/bodies.ts';
 import { type Document, isBody } from '../document/document.ts';

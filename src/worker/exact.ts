@@ -141,8 +141,7 @@ const workOf = (bodies: readonly Standing[]): number =>
 
 /** None where all of it is empty. */
 function arraysOf({ surface, colours }: OwnImage): Pick<Pixels, 'surface' | 'colours'> {
-  for (let at = 3; at < colours.length; at += 4) if (colours[at] !== 0) return { surface, colours };
-  return { surface: null, colours: null };
+  return colours.some((value) => value !== 0) ? { surface, colours } : { surface: null, colours: null };
 }
 
 function hand<T extends FromExact & Pixels>(message: T): void {
