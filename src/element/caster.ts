@@ -19,8 +19,8 @@ export interface CastImages {
   /** images that are whole, and how many there will be */
   readonly count: number;
   readonly whole: number;
-  /** rows of the first that are there, 0–1 from the top */
-  readonly known: number;
+  /** rows of the first that are there, from … to …, 0–1 from the top */
+  readonly known: readonly [from: number, to: number];
   /** 0–1 of what is being done until the first is whole */
   readonly share: number;
   /** of the first image, in values of one skel; null until it is whole */
@@ -52,6 +52,8 @@ export interface Caster {
   ): SurfaceImage | null;
   /** Nothing is wanted for now. */
   stop(): void;
+  /** Nothing was wanted for long: what can be made again goes. */
+  idle?(): void;
   /** Nothing is kept either; what was wanted is refused. */
   end(): void;
 }

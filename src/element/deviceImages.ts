@@ -69,8 +69,8 @@ export class DeviceImages implements CastImages {
     this.#slots = slots;
   }
 
-  get known(): number {
-    return this.count > 0 ? 1 : this.slot(0).rowsOf(this, 0) / (this.#camera.height + 1);
+  get known(): CastImages['known'] {
+    return [0, this.count > 0 ? 1 : this.slot(0).rowsOf(this, 0) / (this.#camera.height + 1)];
   }
 
   image(number: number): SurfaceImage {

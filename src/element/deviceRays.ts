@@ -91,10 +91,15 @@ export class DeviceRays implements Caster {
     this.#casting = null;
   }
 
+  /** Images go, which are cast once more where they are asked for. */
+  idle(): void {
+    for (const slot of [...this.#slots, this.#live]) slot.destroy();
+  }
+
   end(): void {
     this.#isGone = true;
     this.#refuse('given up');
-    for (const slot of [...this.#slots, this.#live]) slot.destroy();
+    this.idle();
     void this.#loading?.then(
       ({ raycaster, bodies }) => {
         bodies.destroy();
@@ -149,7 +154,7 @@ export class DeviceRays implements Caster {
       await this.#device.queue.onSubmittedWorkDone();
       this.#pace.hear(rays, performance.now() - start);
       if (this.#casting === casting && number === 0) {
-        images.share = images.known;
+        images.share = images.known[1];
         listener.changed();
       }
     }

@@ -73,6 +73,11 @@ export class Rays implements Caster {
     this.#workers.stop();
   }
 
+  idle(): void {
+    this.#device?.idle?.();
+    this.#workers.idle?.();
+  }
+
   end(): void {
     const device = this.#device;
     this.#device = null;

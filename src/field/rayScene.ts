@@ -54,12 +54,12 @@ export class SceneCaster {
     return [Math.min(...frames.map(({ top }) => top)), Math.max(...frames.map(({ bottom }) => bottom))];
   }
 
-  /** The pixels of a row, written into `image`, where nothing is yet. */
-  row(image: RayImage, y: number): void {
+  /** The pixels of row `y`, written into that row of `image`, or into row `at`, where nothing is yet. */
+  row(image: RayImage, y: number, at = y): void {
     for (const body of this.#bodies) {
       const { left, right, top, bottom } = body.frame;
       if (y < top || y >= bottom) continue;
-      for (let x = left; x < right; x++) body.cast(image, 4 * (y * image.width + x), x, y);
+      for (let x = left; x < right; x++) body.cast(image, 4 * (at * image.width + x), x, y);
     }
   }
 

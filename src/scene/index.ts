@@ -5,7 +5,13 @@ import type { Look } from './look.ts';
 import type { SceneItem } from './part.ts';
 import { type Hit, pick } from './pick.ts';
 import { type PictureOptions, Studio, takePicture } from './picture.ts';
-import { FINE_LINE_TEXELS, LINE_TEXELS, LINE_TEXELS_IN_SOFTWARE, Pipeline } from './pipeline.ts';
+import {
+  FINE_LINE_TEXELS,
+  LINE_TEXELS,
+  LINE_TEXELS_IN_SOFTWARE,
+  Pipeline,
+  type Refining,
+} from './pipeline.ts';
 import { type Backend, createRenderer, type SceneRenderer } from './renderer.ts';
 import type { SurfaceImage } from './surfaceImage.ts';
 
@@ -16,6 +22,7 @@ export { type Background, DEFAULT_LOOK, type KernelChoice, type Look, type Style
 export type { SceneItem } from './part.ts';
 export type { Hit } from './pick.ts';
 export type { PictureOptions } from './picture.ts';
+export type { Refining } from './pipeline.ts';
 export type { Backend } from './renderer.ts';
 export type { SurfaceImage } from './surfaceImage.ts';
 export { type Face, FRONT_VIEW } from './view.ts';
@@ -75,15 +82,6 @@ export interface Scene {
   /** Draws a frame and resolves when it is on the screen with all its pipelines compiled. */
   compile(): Promise<void>;
   dispose(): void;
-}
-
-export interface Refining {
-  /** images after which nothing is seen any more of the frame with triangles */
-  readonly enough?: number;
-  /** how much of the image is there, 0–1 from the top: the rest shows that frame */
-  readonly known?: number;
-  /** it is a frame of its own, like one that `render` draws: the view may be another one */
-  readonly alone?: boolean;
 }
 
 export interface SceneOptions {

@@ -29,7 +29,7 @@ import {
 } from 'three/webgpu';
 import type { Vec3 } from '../math/vec.ts';
 import type { View } from '../stroke/stroke.ts';
-import { Fade } from './fade.ts';
+import { ALL, Fade, type Known } from './fade.ts';
 import { Grid } from './grid.ts';
 import { type Kernel, LineUniforms } from './hbed.ts';
 import { ImageInputs } from './imageInputs.ts';
@@ -77,6 +77,15 @@ export interface PipelineOptions {
   readonly maxSide: number;
   /** in place of the canvas, whose size then stays as it is */
   readonly output?: RenderTarget;
+}
+
+export interface Refining {
+  /** images after which nothing is seen any more of the frame with triangles */
+  readonly enough?: number;
+  /** the rows of the image that are there: the others show that frame */
+  readonly known?: Known;
+  /** it is a frame of its own, like one that `render` draws: the view may be another one */
+  readonly alone?: boolean;
 }
 
 export class Pipeline {
@@ -175,15 +184,16 @@ export class Pipeline {
 
   /**
    * The picture with surfaces from this image, and the mean of it and those before since the last `render`. What `render` drew is seen
-   * through it until there are `enough` of them; below the row `known` (0–1 from the top) it is all that is seen. False where there is
+   * through it until there are `enough` of them; above and below the rows that are `known` it is all that is seen. False where there is
    * nothing to see through. `alone` it is what is drawn, as by `render`.
    */
   refine(
     camera: ViewCamera,
     view: View,
     image: SurfaceImage,
-    { enough = 1, known = 1, alone = false } = {},
+    { enough = 1, known = ALL, alone = false }: Refining = {},
   ): boolean {
+    const isPart = alone || known[0] > 0 || known[1] < 1;
     const refinement = this.#refinement;
     if (alone) refinement.end();
     else if (!refinement.isBegun && !this.keep()) return false;
@@ -199,15 +209,15 @@ export class Pipeline {
     proxy.visible = false;
     this.parts.takeIn(image.items);
     if (alone) this.#sheet = sheet;
-    if (known < 1 || alone) this.#cover(sheet, this.#output);
+    if (isPart) this.#cover(sheet, this.#output);
     else {
       refinement.resize(this.#size.x, this.#size.y);
       this.#cover(sheet, refinement.sample);
       this.#blend(refinement.add(), refinement.mean);
       this.#cover(refinement.shown, this.#output);
     }
-    this.#fade.known.value = known;
-    this.#fade.share = 1 - (known < 1 || alone ? 1 : refinement.count) / enough;
+    this.#fade.known = known;
+    this.#fade.share = 1 - (isPart ? 1 : refinement.count) / enough;
     if (this.#fade.share > 0) this.#blend(this.#fade.over, this.#output);
     this.#finish();
     return true;
@@ -220,7 +230,7 @@ export class Pipeline {
     this.#cover(this.#sheet, this.#fade.kept);
     this.#renderer.setRenderTarget(null);
     this.#fade.share = 1;
-    this.#fade.known.value = 1;
+    this.#fade.known = ALL;
     return true;
   }
 

@@ -62,7 +62,9 @@ async function off(device: GPUDevice, { camera: of, surface, colours, stride = 0
       const isHit = cpu.surface[b + 3] !== NOWHERE;
       if (isHit) hits++;
       const far = [0, 1, 2, 3].some((k) => !(Math.abs(at![a + k]! - cpu.surface[b + k]!) < 2e-3));
-      const other = (isHit ? [0, 1, 2, 3] : [3]).some((k) => !(Math.abs(painted![a + k]! - cpu.colours[b + k]!) < 2e-3));
+      const other = (isHit ? [0, 1, 2, 3] : [3]).some(
+        (k) => !(Math.abs(painted![a + k]! - cpu.colours[b + k]!) < 2e-3),
+      );
       if (far || other) wrong++;
     }
   expect(hits).toBeGreaterThan(100);
