@@ -17,6 +17,7 @@ import { checkedCommands, checkedIds } from './check.ts';
 import { Declared, type DeclaredHost } from './declared.ts';
 import { changed, failed, modeChanged, type RotundSketchEventMap, selected } from './events.ts';
 import { shownBodies } from './exact.ts';
+import type { Picked } from './exactPick.ts';
 import type { Waiting } from './needs.ts';
 import type { Hooks, Session } from './session.ts';
 import { pictureOptions, pngOf, type Shot } from './shot.ts';
@@ -275,6 +276,14 @@ export abstract class SketchApi extends LitElement {
     const isExact = options.look.mode === 'exact';
     const images = isExact ? await exact.images(shownBodies(document), options.view, options) : [];
     return pngOf(await scene.picture({ ...options, images }));
+  }
+
+  /**
+   * What is nearest under a place of the element, in CSS pixels from its upper left corner: `id` of the part, `point` in mm and outward
+   * `normal` of its surface, of a body `skel` as well: its `path` in the tree and its `share` of the field there. Null where nothing is.
+   */
+  pick(x: number, y: number): Picked | null {
+    return this.session.pick(x, y);
   }
 
   // ── events ──────────────────────────────────────────────────────────────────────────────────────────

@@ -37,7 +37,7 @@ import { CameraMoves } from './cameraMoves.ts';
 import { draftProblem } from './draftProblem.ts';
 import type { Cause } from './events.ts';
 import { Exact } from './exact.ts';
-import { exactHit } from './exactPick.ts';
+import { type Picked, pickedOn } from './exactPick.ts';
 import { Frames } from './frames.ts';
 import type { NoPicture } from './noPicture.ts';
 import { spoken } from './speech.ts';
@@ -119,12 +119,13 @@ export class Session implements Bench, Viewport {
     return this.scene?.rig.view() ?? this.#lastView;
   }
 
-  pick(x: number, y: number, except?: readonly string[]) {
+  /** On bodies their surface itself, whatever is seen of them: strokes that start there stay, meshes do not. */
+  pick(x: number, y: number, except?: readonly string[]): Picked | null {
     const hit = this.scene?.pick(x, y, except) ?? null;
-    if (!hit || this.look.mode !== 'exact') return hit;
+    if (!hit) return null;
     const part = this.document.parts.filter(isBody).find(({ id }) => id === hit.id);
     const made = part && bodyMade(part.node);
-    return made ? exactHit(hit, part, rayAt(this.view, this.size, x, y), made) : hit;
+    return made ? pickedOn(hit, part, rayAt(this.view, this.size, x, y), made) : { ...hit, skel: null };
   }
 
   focus(ids: readonly string[]): void {
