@@ -1,7 +1,7 @@
 /** The pipelines of the ray-caster; only `cast` is made for the ingredients of a field. */
 import { record } from '../../math/record.ts';
 import { brickModules } from '../bricks/stages.ts';
-import { type Ingredients, KINDS, namesOf } from '../ingredients.ts';
+import { type Ingredients, keyOf } from '../ingredients.ts';
 import { compile, link, type Modules } from '../link.ts';
 
 /** What is looked at, and from where. */
@@ -51,7 +51,7 @@ export function rayStagesOn(device: GPUDevice): Load {
 function loader(device: GPUDevice): Load {
   const known = new Map<string, Promise<RayStages>>();
   return (ingredients) => {
-    const key = KINDS.map((kind) => namesOf(ingredients, kind).join(' ')).join(', ');
+    const key = keyOf(ingredients);
     const stages = known.get(key) ?? loadStages(device, rayModules(ingredients));
     known.set(key, stages);
     // what failed once is tried again
