@@ -16,7 +16,7 @@ export type { FieldNode } from '../field/node.ts';
 export type { SkelAt } from '../field/skelAt.ts';
 export type { Mesh } from '../mesh/mesh.ts';
 export type { Plane, Sample, Stroke, View } from '../stroke/stroke.ts';
-export type { LoadOptions } from './api.ts';
+export type { LoadOptions, RayComparison } from './api.ts';
 export type {
   ChangeDetail,
   ErrorDetail,

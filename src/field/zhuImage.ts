@@ -27,7 +27,8 @@ export interface Comparison {
   /** pixels in which either found something */
   readonly hits: number;
   readonly zhu: RayCount;
-  readonly ours: RayCount;
+  /** ours */
+  readonly bricks: RayCount;
 }
 
 export interface Compared {
@@ -37,7 +38,7 @@ export interface Compared {
 }
 
 /** The bodies of Zhu et al.: FieldError for all others. */
-export function sumOf(node: FieldNode): SkelsNode {
+export function zhuSum(node: FieldNode): SkelsNode {
   const expected = 'Zhu’s rays are for sums of skels without cross sections';
   if (node.type !== 'skels') throw new FieldError(`${expected}, found '${node.type}'`);
   const odd = node.skels.findIndex(({ warp }) => warp);
@@ -72,7 +73,7 @@ export function* comparing(
   const comparison = {
     hits,
     zhu: { evaluationsPerPixel: zhuWork / pixels, missed: missed.zhu },
-    ours: { evaluationsPerPixel: oursWork / pixels, missed: missed.ours },
+    bricks: { evaluationsPerPixel: oursWork / pixels, missed: missed.ours },
   };
   return { comparison, images: yield* smoothed(zhu, bodies, camera) };
 }
@@ -151,7 +152,7 @@ export class ZhuBody {
   #seen: RayCamera | null = null;
 
   constructor(node: FieldNode, placement: Placement) {
-    this.#march = new ZhuMarch(sumOf(node));
+    this.#march = new ZhuMarch(zhuSum(node));
     this.#placement = placement;
     const { box } = this.#march.field;
     const [min, max] = box ? [box.min, box.max] : [[0, 0, 0] as const, [0, 0, 0] as const];

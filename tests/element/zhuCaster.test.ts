@@ -19,7 +19,7 @@ const BODY: ShownBody = { id: 'a', node: body(), placement: UNMOVED, cells: 32 }
 const COMPARISON = {
   hits: 3,
   zhu: { evaluationsPerPixel: 50, missed: 1 },
-  ours: { evaluationsPerPixel: 8, missed: 0 },
+  bricks: { evaluationsPerPixel: 8, missed: 0 },
 } as const;
 
 class Fake implements Castable {

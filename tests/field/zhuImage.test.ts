@@ -4,7 +4,7 @@ import { bindField } from '../../src/field/bind.ts';
 import { locating } from '../../src/field/polygonize.ts';
 import { NOWHERE, type RayCamera, type RayImage } from '../../src/field/rayImage.ts';
 import { emptyImage, SceneCaster } from '../../src/field/rayScene.ts';
-import { compared, comparing, sumOf, ZhuBody } from '../../src/field/zhuImage.ts';
+import { compared, comparing, zhuSum, ZhuBody } from '../../src/field/zhuImage.ts';
 import { finished } from '../../src/math/finished.ts';
 import { UNMOVED } from '../../src/math/placement.ts';
 import { dot3 } from '../../src/math/tuple.ts';
@@ -65,9 +65,9 @@ describe.each([0, 35])('opening %d°', (fov) => {
   });
 
   test('the count says what each did', () => {
-    expect(comparison.ours.missed).toBe(0);
+    expect(comparison.bricks.missed).toBe(0);
     expect(comparison.zhu.missed).toBeLessThan(0.03 * comparison.hits);
-    expect(comparison.zhu.evaluationsPerPixel).toBeGreaterThan(comparison.ours.evaluationsPerPixel);
+    expect(comparison.zhu.evaluationsPerPixel).toBeGreaterThan(comparison.bricks.evaluationsPerPixel);
     expect(shares).toEqual(shares.toSorted((a, b) => a - b));
     expect(shares.at(-1)).toBeLessThanOrEqual(1);
   });
@@ -90,11 +90,11 @@ test('missed is what the other finds, or finds nearer', () => {
 });
 
 test('what is no plain sum is refused, in words', () => {
-  expect(() => sumOf(sphere(3))).toThrow(/sums of skels.*found 'shape'/);
-  expect(sumOf(THICK!.node)).toBe(THICK!.node);
+  expect(() => zhuSum(sphere(3))).toThrow(/sums of skels.*found 'shape'/);
+  expect(zhuSum(THICK!.node)).toBe(THICK!.node);
   const warp = { section: { type: 'extrusion', alpha: 4 }, scale: [1, 1], up: [0, 1, 0] } as const;
   const odd = { ...body(BONE), skels: [BONE[0]!, { ...BONE[0]!, warp }] } as unknown as Parameters<
-    typeof sumOf
+    typeof zhuSum
   >[0];
-  expect(() => sumOf(odd)).toThrow(/skels\[1\].*cross sections/);
+  expect(() => zhuSum(odd)).toThrow(/skels\[1\].*cross sections/);
 });
