@@ -89,7 +89,7 @@ export const RENDER: CommandSpec = {
     },
     HELP,
   ],
-  output: '{width, height, backend, milliseconds}, with --rays zhu rays, too',
+  output: '{width, height, backend, rays, milliseconds}',
 };
 
 export const INFO: CommandSpec = {

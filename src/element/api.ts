@@ -89,6 +89,7 @@ export abstract class SketchApi extends LitElement {
     alt: { reflect: true },
     renderStyle: { attribute: 'render-style', reflect: true },
     mode: { reflect: true },
+    volumes: { type: Boolean, reflect: true },
     readOnly: { type: Boolean, attribute: 'readonly', reflect: true },
     controls: { reflect: true, useDefault: true },
     theme: { reflect: true },
@@ -116,6 +117,8 @@ export abstract class SketchApi extends LitElement {
    * a person chooses.
    */
   declare mode: Mode | null;
+  /** Around the skels of bodies, where Zhu et al. 2011 look for their surface, as lines over the picture; follows what a person chooses, and is not saved. */
+  declare volumes: boolean;
   /** Looking only: one finger, the left button or the pen turns the view, a tap selects; methods still change the drawing. */
   declare readOnly: boolean;
   /** `none` shows the picture alone */
@@ -151,6 +154,7 @@ export abstract class SketchApi extends LitElement {
     this.alt = null;
     this.renderStyle = null;
     this.mode = null;
+    this.volumes = false;
     this.readOnly = false;
     this.controls = 'all';
     this.theme = null;
@@ -431,6 +435,8 @@ export abstract class SketchApi extends LitElement {
   protected override willUpdate(changes: PropertyValues): void {
     if (changes.has('renderStyle')) this.declared.takeStyle();
     if (changes.has('mode')) this.declared.takeMode();
+    if (changes.has('volumes')) this.session.setVolumes(this.volumes);
+    this.volumes = this.session.volumes;
     if (changes.has('readOnly') && this.readOnly) this.session.cancel();
     this.session.bodies.expectsEdits = !this.readOnly;
     this.declared.followLook();

@@ -9,6 +9,7 @@ import type { SceneItem } from '../scene/index.ts';
 import type { View } from '../stroke/stroke.ts';
 import { shownBodies } from './exact.ts';
 import type { Session } from './session.ts';
+import { guidesOf } from './volumes.ts';
 import { WORDS } from './words.ts';
 
 /** ms: a preview that takes longer is not made in every frame */
@@ -100,6 +101,7 @@ export class Frames {
     if (!sameItems(items, this.#items)) this.version++;
     this.#items = items;
     session.scene?.sync(items);
+    session.scene?.guide(session.volumes ? guidesOf(session.shown()) : null);
     // Fitting needs the size of the picture as well as the parts.
     if (this.fit && session.scene && session.size.width > 1 && session.bodies.drafted) this.#showAll();
   }

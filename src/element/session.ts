@@ -77,6 +77,8 @@ export class Session implements Bench, Viewport {
   /** of the drawing, for the tray and for files */
   name = '';
   look: Look = DEFAULT_LOOK;
+  /** what surely holds the bodies is drawn over them */
+  volumes = false;
   size = { width: 1, height: 1 };
   /** last event, the words of the status line and the live region */
   said: string = WORDS.ready;
@@ -457,6 +459,20 @@ export class Session implements Bench, Viewport {
   setMode(mode: Mode): void {
     this.said = this.hasBodies ? WORDS.mode[mode] : WORDS.noBodies;
     if (this.hasBodies) this.setLook({ mode });
+    else this.update();
+  }
+
+  setVolumes(on: boolean): void {
+    if (on === this.volumes) return;
+    this.volumes = on;
+    this.frames.version++;
+    this.update();
+  }
+
+  /** For people, who are told. */
+  toggleVolumes(): void {
+    this.said = this.hasBodies ? WORDS.volumesSaid(!this.volumes) : WORDS.noBodies;
+    if (this.hasBodies) this.setVolumes(!this.volumes);
     else this.update();
   }
 

@@ -45,6 +45,9 @@ export const WORDS = {
   mode: { mesh: 'Bodies as triangles', exact: 'The exact surface of bodies' },
   exactSurface: 'Exact surface',
   exactHint: 'Bodies by a ray a pixel where all rests; triangles while anything moves (X)',
+  volumes: 'Bounding volumes',
+  volumesHint: 'Around each skel all that it can be inside of, after Zhu et al. (M)',
+  volumesSaid: (on: boolean) => (on ? 'Bounding volumes of the skels' : 'No bounding volumes'),
   noBodies: 'There is no implicit body in this drawing: all of it is triangles anyway.',
   casting: (percent: number) => `casting rays, ${percent} %`,
   exact: (evaluations: number) =>
@@ -210,6 +213,7 @@ export const KEYS: readonly { readonly keys: string; readonly does: string }[] =
   { keys: 'P', does: 'Paper grain' },
   { keys: 'W', does: 'Wireframe' },
   { keys: 'X', does: 'Exact surface of bodies, or triangles' },
+  { keys: 'M', does: 'Bounding volumes of skels' },
   { keys: 'F', does: 'Full screen' },
   { keys: 'Delete', does: 'Delete what is selected' },
   { keys: 'H', does: 'Hide or show what is selected' },
