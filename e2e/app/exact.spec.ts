@@ -114,7 +114,9 @@ for (const [address, backend] of [
     }
     await page.keyboard.press('x');
     await whole(page);
-    expect(await page.locator('.status .facts').textContent()).toMatch(/exact, [\d.]+ evaluations a pixel/);
+    expect(await page.locator('.status .seen').textContent()).toMatch(
+      /exact · [\d.]+ evaluations per pixel · [\d.]+ m?s/,
+    );
     const text = await page.evaluate(() => document.querySelector('rotund-sketch')!.save());
     expect(JSON.parse(text)).toMatchObject({ version: 3, look: { mode: 'exact' } });
     // a turn ends it, and after it rays are cast anew

@@ -21,6 +21,8 @@ interface Shown {
 }
 
 export class Frames {
+  /** of all that is shown */
+  triangles = 0;
   /** ms the last surface took, from strokes to mesh */
   buildTime = 0;
   #fit = false;
@@ -99,6 +101,9 @@ export class Frames {
     this.#synced = performance.now();
     const items = this.#solids(session.shown()).map(({ solid, preview }) => ({ ...solid, preview }));
     if (!sameItems(items, this.#items)) this.version++;
+    // numbers that tick while somebody draws would be in the way
+    if (!session.state.wet)
+      this.triangles = items.reduce((sum, { mesh }) => sum + mesh.indices.length / 3, 0);
     this.#items = items;
     session.scene?.sync(items);
     session.scene?.guide(session.volumes ? guidesOf(session.shown()) : null);

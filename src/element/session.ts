@@ -519,28 +519,32 @@ export class Session implements Bench, Viewport {
     return this.state.preview?.(this) ?? this.document;
   }
 
-  /** What rays do, or did. */
-  get #exactDetail(): string {
-    const { share, evaluationsAPixel, problem } = this.exact;
-    if (this.look.mode !== 'exact' || !this.hasBodies) return '';
+  /** What rays do, or did; null: triangles are seen. */
+  get #rays(): string | null {
+    const { share, evaluationsAPixel, problem, milliseconds } = this.exact;
+    if (this.look.mode !== 'exact' || !this.hasBodies) return null;
     if (problem !== null) return WORDS.notExact;
     if (share !== null) return WORDS.casting(Math.round(100 * share));
-    return evaluationsAPixel === null ? '' : WORDS.exact(evaluationsAPixel);
+    return evaluationsAPixel === null ? null : WORDS.exact(evaluationsAPixel, milliseconds);
   }
 
-  /** What the second line of the status shows. */
+  /** Whether the picture is a mesh or exact, and of what; or what is being made. */
+  get seen(): string {
+    if (this.making) return this.making;
+    const { triangles } = this.frames;
+    return this.#rays ?? (triangles > 0 ? WORDS.mesh(triangles) : '');
+  }
+
+  /** Of the last form. */
   get detail(): string {
     const last = this.document.parts.at(-1);
     const kind = readingOf(this.document) ?? last?.kind;
     if (!kind) return '';
     const body = last && isBody(last) ? bodyMade(last.node) : null;
     const grid = `${RESOLUTION.u} × ${RESOLUTION.v} mesh`;
-    const mesh = kind !== 'body' ? grid : body ? `mesh of ${body.cells} cells` : '';
-    return [SURFACE[kind].name, this.#exactDetail || mesh].filter(Boolean).join(' · ');
-  }
-
-  /** ms that the surface took which is seen */
-  get surfaceTime(): number {
-    return this.exact.evaluationsAPixel === null ? this.frames.buildTime : this.exact.milliseconds;
+    const mesh = kind !== 'body' ? grid : body ? `${body.cells} cells` : '';
+    const time = this.frames.buildTime;
+    const took = time > 0 ? `${Math.max(1, Math.round(time))} ms` : '';
+    return [SURFACE[kind].name, mesh, took].filter(Boolean).join(' · ');
   }
 }

@@ -9,6 +9,13 @@ export const SURFACE: Readonly<Record<Part['kind'], { readonly name: string; rea
   body: { name: 'Body', long: 'Implicit body' },
 };
 
+const thousands = (count: number): string => String(count).replace(/\B(?=(\d{3})+$)/g, ',');
+
+const seconds = (milliseconds: number): string =>
+  milliseconds < 995
+    ? `${Math.max(1, Math.round(milliseconds))} ms`
+    : `${(milliseconds / 1000).toFixed(1)} s`;
+
 export const WORDS = {
   title: 'Draw a line, get a form.',
   subtitle: 'Start anywhere, also right here. The hint steps aside.',
@@ -50,8 +57,9 @@ export const WORDS = {
   volumesSaid: (on: boolean) => (on ? 'Bounding volumes of the skels' : 'No bounding volumes'),
   noBodies: 'There is no implicit body in this drawing: all of it is triangles anyway.',
   casting: (percent: number) => `casting rays, ${percent} %`,
-  exact: (evaluations: number) =>
-    `exact, ${evaluations < 10 ? evaluations.toFixed(1) : Math.round(evaluations)} evaluations a pixel`,
+  mesh: (triangles: number) => `mesh · ${thousands(triangles)} triangles`,
+  exact: (evaluations: number, milliseconds: number) =>
+    `exact · ${evaluations < 10 ? evaluations.toFixed(1) : Math.round(evaluations)} evaluations per pixel · ${seconds(milliseconds)}`,
   notExact: 'no rays here, triangles',
   style: (name: string) => `Style: ${name.toLowerCase()}`,
   tooShort: 'A dot is too short for a tube. Draw a longer line.',
@@ -161,7 +169,7 @@ export const PART_WORDS = {
   choose: 'Tap a part in the drawing or in the list to select it.',
   strokes: (count: number) => (count === 1 ? '1 stroke' : `${count} strokes`),
   skels: (count: number) => (count === 0 ? 'shapes only' : count === 1 ? '1 skel' : `${count} skels`),
-  triangles: (count: number) => `${String(count).replace(/\B(?=(\d{3})+$)/g, ',')} triangles`,
+  triangles: (count: number) => `${thousands(count)} triangles`,
   thin: (places: number) =>
     `Hardly thicker than a cell in ${places === 1 ? '1 place' : `${places} places`}: pieces may be missing.`,
   hidden: 'hidden',

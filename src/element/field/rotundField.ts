@@ -295,7 +295,7 @@ export class RotundField extends LitElement {
     if (problem !== null) return this.state.rays === 'zhu' ? problem : WORDS.notExact;
     if (comparison) return FIELD_WORDS.compared(comparison);
     if (share !== null) return WORDS.casting(Math.round(100 * share));
-    return evaluationsAPixel === null ? '' : WORDS.exact(evaluationsAPixel);
+    return evaluationsAPixel === null ? '' : WORDS.exact(evaluationsAPixel, exact.milliseconds);
   }
 
   #drawn(): void {
