@@ -77,7 +77,7 @@ export class Session implements Bench, Viewport {
   /** of the drawing, for the tray and for files */
   name = '';
   look: Look = DEFAULT_LOOK;
-  /** what surely holds the bodies is drawn over them */
+  /** Zhu et al.'s bounding volumes are drawn over bodies */
   volumes = false;
   size = { width: 1, height: 1 };
   /** last event, the words of the status line and the live region */
