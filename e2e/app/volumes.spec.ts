@@ -108,7 +108,7 @@ test('on the field page Zhu’s rays are counted beside ours', async ({ page }) 
   await page.goto('/field.html#skeleton=segment&resolution=32&surface=exact&rays=zhu&volumes=shown');
   await expect(page.locator('rotund-field')).toHaveAttribute('data-backend', /WebG/);
   await expect(page.locator('.status')).toContainText(
-    /Zhu’s rays, \d+ evaluations a pixel, \d+ of \d+( k)? hits missed · by bricks \d+ evaluations a pixel, 0 missed/,
+    /Zhu’s rays, [\d.]+ evaluations a pixel, \d+ of \d+( k)? hits missed · by bricks [\d.]+ evaluations a pixel, 0 missed/,
     { timeout: 120_000 },
   );
   await expect(page.getByRole('radio', { name: 'Zhu’s, compared' })).toBeChecked();

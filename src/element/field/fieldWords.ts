@@ -9,7 +9,7 @@ const count = (value: number): string => {
 };
 
 const rate = ({ evaluationsPerPixel, missed }: RayCount) =>
-  `${count(Math.round(evaluationsPerPixel))} evaluations a pixel, ${missed}`;
+  `${evaluationsPerPixel < 10 ? evaluationsPerPixel.toFixed(1) : count(Math.round(evaluationsPerPixel))} evaluations a pixel, ${missed}`;
 
 export const FIELD_WORDS = {
   title: 'Field',
