@@ -1,10 +1,14 @@
 /** Zhu et al.'s bounding volumes over the picture, and their rays beside ours on the field page. */
+import { execFileSync } from 'node:child_process';
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
 import { expect, type Page, test } from '@playwright/test';
 import { EMPTY_DRAWING, FRONT_VIEW } from '../../src/document/drawing.ts';
 import { serialize } from '../../src/document/serialize.ts';
 import type { FieldNode } from '../../src/field/node.ts';
 import { BALL, documentOf } from '../../tests/cli/drawings.ts';
-import { takePicture } from '../picture.ts';
+import { readPicture, takePicture } from '../picture.ts';
 
 const NODE: FieldNode = {
   type: 'skels',
@@ -100,6 +104,49 @@ test('where there is no body they are off, and it is said why', async ({ page })
   const toggle = page.getByRole('switch', { name: 'Bounding volumes' });
   await expect(toggle).toHaveAttribute('aria-disabled', 'true');
   await expect(toggle).toHaveAttribute('title', /no implicit body/);
+});
+
+test('rotund render --rays zhu says what both cost and missed, and draws the same picture', () => {
+  test.setTimeout(240_000);
+  const folder = mkdtempSync(join(tmpdir(), 'rotund-zhu-'));
+  try {
+    writeFileSync(join(folder, 'bone.rotund'), text);
+    const rendered = (...more: readonly string[]) => {
+      const files = [join(folder, 'bone.rotund'), '-o', join(folder, 'bone.png')];
+      const args = [
+        'scripts/rotund.mjs',
+        'render',
+        ...files,
+        '--size',
+        '120x90',
+        '--mode',
+        'raycast',
+        ...more,
+      ];
+      const said = execFileSync(process.execPath, args, {
+        encoding: 'utf8',
+        stdio: ['ignore', 'pipe', 'ignore'],
+      });
+      return { said: JSON.parse(said), picture: readPicture(readFileSync(join(folder, 'bone.png'))) };
+    };
+    const [zhu, ours] = [rendered('--rays', 'zhu'), rendered()];
+    const { hits, ...both } = zhu.said.rays;
+    expect(hits).toBeGreaterThan(500);
+    for (const { evaluationsPerPixel, missed } of [both.zhu, both.bricks]) {
+      expect(evaluationsPerPixel).toBeGreaterThan(0.1);
+      expect(missed).toBeLessThan(0.02 * hits);
+    }
+    expect(ours.said.rays).toBeUndefined();
+    let differing = 0;
+    for (let y = 0; y < 90; y++)
+      for (let x = 0; x < 120; x++) {
+        const [a, b] = [zhu.picture.at(x, y), ours.picture.at(x, y)];
+        if (a.some((value, channel) => Math.abs(value - b[channel]!) > 60)) differing++;
+      }
+    expect(differing).toBeLessThan(20);
+  } finally {
+    rmSync(folder, { recursive: true, force: true });
+  }
 });
 
 test('on the field page Zhu’s rays are counted beside ours', async ({ page }) => {
