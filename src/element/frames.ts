@@ -9,6 +9,7 @@ import type { SceneItem } from '../scene/index.ts';
 import type { View } from '../stroke/stroke.ts';
 import { shownBodies } from './exact.ts';
 import type { Session } from './session.ts';
+import { guidesOf } from './volumes.ts';
 import { WORDS } from './words.ts';
 
 /** ms: a preview that takes longer is not made in every frame */
@@ -20,6 +21,8 @@ interface Shown {
 }
 
 export class Frames {
+  /** of all that is shown */
+  triangles = 0;
   /** ms the last surface took, from strokes to mesh */
   buildTime = 0;
   #fit = false;
@@ -98,8 +101,12 @@ export class Frames {
     this.#synced = performance.now();
     const items = this.#solids(session.shown()).map(({ solid, preview }) => ({ ...solid, preview }));
     if (!sameItems(items, this.#items)) this.version++;
+    // numbers that tick while somebody draws would be in the way
+    if (!session.state.wet)
+      this.triangles = items.reduce((sum, { mesh }) => sum + mesh.indices.length / 3, 0);
     this.#items = items;
     session.scene?.sync(items);
+    session.scene?.guide(session.volumes ? guidesOf(session.shown()) : null);
     // Fitting needs the size of the picture as well as the parts.
     if (this.fit && session.scene && session.size.width > 1 && session.bodies.drafted) this.#showAll();
   }

@@ -2,7 +2,7 @@
 import { record } from '../../math/record.ts';
 import { shapes } from '../../shape/index.ts';
 import { brickModules } from '../bricks/stages.ts';
-import { type Ingredients, KINDS, namesOf, numberOf } from '../ingredients.ts';
+import { type Ingredients, keyOf, namesOf, numberOf } from '../ingredients.ts';
 import { compile, link, type Modules } from '../link.ts';
 import { choice } from '../modules.ts';
 import { SHADERS } from '../shaders.ts';
@@ -62,7 +62,7 @@ export function rayStagesOn(device: GPUDevice): Load {
 function loader(device: GPUDevice): Load {
   const known = new Map<string, Promise<RayStages>>();
   return (ingredients) => {
-    const key = KINDS.map((kind) => namesOf(ingredients, kind).join(' ')).join(', ');
+    const key = keyOf(ingredients);
     const stages = known.get(key) ?? loadStages(device, rayModules(ingredients));
     known.set(key, stages);
     // what failed once is tried again
