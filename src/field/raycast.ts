@@ -20,7 +20,7 @@ const NARROWINGS = 40;
 /** of a pixel: after a step of Newton's as short nothing is left to be seen */
 const CLOSE = 1e-6;
 /** of a pixel: a ray that passes a surface so near may have passed what is thinner than a pixel */
-const BESIDE = 0.6;
+const BESIDE = 0.5;
 /** pixels: where the surface is not reached for longer, it is not so near */
 const AHEAD = 8;
 /** shortest steps: what is surely free for longer is not yet worth a look for the place where it ends */

@@ -36,9 +36,13 @@ export class SumSight {
     const along = this.#along;
     const { ahead } = along;
     this.#ray = ray;
-    this.#at.set([x, y, z]);
+    this.#at[0] = x;
+    this.#at[1] = y;
+    this.#at[2] = z;
     frame?.enter(x, y, z);
-    const [px, py, pz] = frame ? [frame.x, frame.y, frame.z] : [x, y, z];
+    const px = frame ? frame.x : x;
+    const py = frame ? frame.y : y;
+    const pz = frame ? frame.z : z;
     const [dx, dy, dz] = frame ? frame.along(ray) : ray;
     const scale = frame?.scale ?? 1;
     along.stretch = frame ? Math.sqrt(dx * dx + dy * dy + dz * dz) : 1;
@@ -46,7 +50,7 @@ export class SumSight {
     clearAhead(ahead);
     evaluateTaylor(taylor, px - centre[0], py - centre[1], pz - centre[2], ahead);
     ball.set(px, py, pz, reach * along.stretch);
-    for (const { field, factor } of terms) field.ahead(ball, factor, ahead);
+    for (let i = 0; i < terms.length; i++) terms[i]!.field.ahead(ball, terms[i]!.factor, ahead);
     this.#tally.work += (WITH_GRADIENT + TEST) * terms.length;
     along.value = scale * ahead[0]!;
     along.slope = scale * (ahead[1]! * dx + ahead[2]! * dy + ahead[3]! * dz);
