@@ -39,9 +39,9 @@ async function made(
   if (known?.cells === cells) return { ...known, backend: 'webgpu' };
   const field = bindField(node);
   if (cullsOnDevice(node)) {
-    const { lattice, tally } = finished(latticed(field, cells));
+    const { lattice, tally, whole } = finished(latticed(field, cells));
     const { mesh, work } = await read(polygonizer, node, lattice, name);
-    const thin = thinOf(mesh, lattice);
+    const thin = thinOf(mesh, lattice, whole);
     return kept(node, { mesh: { ...mesh, thin }, evaluations: tally.work + work, cells });
   }
   return kept(node, { ...(await onGpu(polygonizer, node, finished(locating(field, cells)), name)), cells });
@@ -62,13 +62,13 @@ function finished<T>(steps: Generator<number, T>): T {
 async function onGpu(
   polygonizer: GpuPolygonizer,
   node: FieldNode,
-  { bricks, tally }: Located,
+  { bricks, tally, whole }: Located,
   name: string,
 ): Promise<Omit<Body, 'cells'>> {
   const { nodes, aVertex } = gpuWork(bricks);
   const { mesh } = await read(polygonizer, node, bricks, name);
   const vertices = mesh.positions.length / 3;
-  const thin = thinOf(mesh, bricks.lattice);
+  const thin = thinOf(mesh, bricks.lattice, whole);
   return { mesh: { ...mesh, thin }, evaluations: tally.work + nodes + aVertex * vertices };
 }
 
