@@ -1,13 +1,17 @@
 /** `rotund mesh --backend gpu`: bricks by the device or the CPU, meshes of them in WGSL, on whatever adapter there is, read back. */
 import { type Body, bodyMade, keepBody } from '../document/bodies.ts';
 import { bindField } from '../field/bind.ts';
+import type { Lattice } from '../field/lattice.ts';
+import type { Near } from '../field/near.ts';
 import type { FieldNode } from '../field/node.ts';
-import { type Located, latticed, locating } from '../field/polygonize.ts';
+import { type Located, latticed, locating, polygonize } from '../field/polygonize.ts';
 import { thinOf } from '../field/thin.ts';
+import type { TreeField } from '../field/treeField.ts';
 import { cullsOnDevice } from '../gpu/bricks/cullsOnDevice.ts';
 import { openDevice } from '../gpu/device.ts';
 import { type GpuPolygonizer, gpuPolygonizer, type Where } from '../gpu/polygonize/polygonizer.ts';
 import { gpuWork } from '../gpu/polygonize/work.ts';
+import type { Mesh } from '../mesh/mesh.ts';
 import type { BodyMaker, MadeBody } from './bodyMaker.ts';
 import type { OpenGpu } from './gpuEvaluator.ts';
 import { Problem } from './problem.ts';
@@ -41,10 +45,17 @@ async function made(
   if (cullsOnDevice(node)) {
     const { lattice, tally, whole } = finished(latticed(field, cells));
     const { mesh, work } = await read(polygonizer, node, lattice, name);
-    const thin = thinOf(mesh, lattice, whole);
-    return kept(node, { mesh: { ...mesh, thin }, evaluations: tally.work + work, cells });
+    const found = thinOn(mesh, whole, lattice, cells, field);
+    return kept(node, {
+      mesh: { ...mesh, thin: found.thin },
+      evaluations: tally.work + work + found.evaluations,
+      cells,
+    });
   }
-  return kept(node, { ...(await onGpu(polygonizer, node, finished(locating(field, cells)), name)), cells });
+  return kept(node, {
+    ...(await onGpu(polygonizer, node, finished(locating(field, cells)), { name, cells, field })),
+    cells,
+  });
 }
 
 function kept(node: FieldNode, body: Body): MadeBody {
@@ -63,13 +74,23 @@ async function onGpu(
   polygonizer: GpuPolygonizer,
   node: FieldNode,
   { bricks, tally, whole }: Located,
-  name: string,
+  { name, cells, field }: { readonly name: string; readonly cells: number; readonly field: TreeField },
 ): Promise<Omit<Body, 'cells'>> {
   const { nodes, aVertex } = gpuWork(bricks);
   const { mesh } = await read(polygonizer, node, bricks, name);
   const vertices = mesh.positions.length / 3;
-  const thin = thinOf(mesh, bricks.lattice, whole);
-  return { mesh: { ...mesh, thin }, evaluations: tally.work + nodes + aVertex * vertices };
+  const { thin, evaluations } = thinOn(mesh, whole, bricks.lattice, cells, field);
+  return {
+    mesh: { ...mesh, thin },
+    evaluations: tally.work + nodes + aVertex * vertices + evaluations,
+  };
+}
+
+/** Where nothing came of it the CPU has to say whether that is because it is too thin. */
+function thinOn(mesh: Mesh, whole: Near, lattice: Lattice, cells: number, field: TreeField) {
+  if (mesh.indices.length > 0) return { thin: thinOf(mesh, lattice, whole), evaluations: 0 };
+  const { mesh: again, evaluations } = polygonize(field, cells);
+  return { thin: again.thin ?? null, evaluations };
 }
 
 /** The mesh, and what the device says that it took to find its bricks. */

@@ -165,6 +165,13 @@ export class FieldBody {
       release();
       return;
     }
+    if (triangles === 0 && !of.draft && of.id === this.#latest) {
+      // only the CPU tells whether there is nothing, or only what is too thin
+      release();
+      this.#isHeld = false;
+      this.#ask(FIELD_WORDS.nothingOnDevice);
+      return;
+    }
     const { id, draft, lattice, workAVertex } = of;
     const evaluations = of.evaluations + work + workAVertex * vertices;
     const facts = {

@@ -7,6 +7,8 @@ const count = (value: number): string => {
   return value < 1e6 ? `${Math.round(value / 1000)} k` : `${(value / 1e6).toFixed(1)} M`;
 };
 
+const placesOf = (places: number): string => (places === 1 ? '1 place' : `${places} places`);
+
 export const FIELD_WORDS = {
   title: 'Field',
   making: 'Making the body',
@@ -24,12 +26,15 @@ export const FIELD_WORDS = {
     const time = Math.max(1, Math.round(milliseconds));
     return `${maker} · ${cells} cells · ${count(evaluations)} evaluations · mesh after ${time} ms`;
   },
-  thin: ({ places, least }: Thin) =>
-    `Hardly thicker than a cell in ${places === 1 ? '1 place' : `${places} places`} (${Number(least.toPrecision(2))} mm): finer cells show all of it`,
+  thin: ({ places, gaps, least }: Thin) =>
+    places > gaps
+      ? `Hardly thicker than a cell or two in ${placesOf(places - gaps)} (${Number(least.toPrecision(2))} mm): finer cells show all of it`
+      : `Gaps of a cell or less in ${placesOf(gaps)} (${Number(least.toPrecision(2))} mm): finer cells show whether they are open`,
   /** `reason`: why it is not the graphics device */
   worker: (reason: string | null) => (reason === null ? 'CPU, worker' : `CPU, worker: ${reason}`),
   device: 'GPU, float32',
   deviceFailed: 'the graphics device could not make it',
+  nothingOnDevice: 'the graphics device found nothing',
   noDevice: 'there is no graphics device for it',
   webgl2: 'WebGL2, slower',
   loading: 'Preparing the picture',
