@@ -1,8 +1,8 @@
 /** `rotund mesh --backend gpu`: bricks by the device or the CPU, meshes of them in WGSL, on whatever adapter there is, read back. */
 import { type Body, bodyMade, keepBody } from '../document/bodies.ts';
 import { bindField } from '../field/bind.ts';
-import type { Lattice } from '../field/lattice.ts';
-import type { Near } from '../field/near.ts';
+import { checkTold, type Lattice } from '../field/lattice.ts';
+import { localField, type Sided } from '../field/local.ts';
 import type { FieldNode } from '../field/node.ts';
 import { type Located, latticed, locating, polygonize } from '../field/polygonize.ts';
 import { thinOf } from '../field/thin.ts';
@@ -44,7 +44,7 @@ async function made(
   const field = bindField(node);
   if (cullsOnDevice(node)) {
     const { lattice, tally, whole } = finished(latticed(field, cells));
-    const { mesh, work } = await read(polygonizer, node, lattice, name);
+    const { mesh, work } = await read(polygonizer, node, lattice, lattice, name);
     const found = thinOn(mesh, whole, lattice, cells, field);
     return kept(node, {
       mesh: { ...mesh, thin: found.thin },
@@ -73,13 +73,13 @@ function finished<T>(steps: Generator<number, T>): T {
 async function onGpu(
   polygonizer: GpuPolygonizer,
   node: FieldNode,
-  { bricks, tally, whole }: Located,
+  { bricks, tally }: Located,
   { name, cells, field }: { readonly name: string; readonly cells: number; readonly field: TreeField },
 ): Promise<Omit<Body, 'cells'>> {
   const { nodes, aVertex } = gpuWork(bricks);
-  const { mesh } = await read(polygonizer, node, bricks, name);
+  const { mesh } = await read(polygonizer, node, bricks, bricks.lattice, name);
   const vertices = mesh.positions.length / 3;
-  const { thin, evaluations } = thinOn(mesh, whole, bricks.lattice, cells, field);
+  const { thin, evaluations } = thinOn(mesh, localField(bricks), bricks.lattice, cells, field);
   return {
     mesh: { ...mesh, thin },
     evaluations: tally.work + nodes + aVertex * vertices + evaluations,
@@ -87,18 +87,25 @@ async function onGpu(
 }
 
 /** Where nothing came of it the CPU has to say whether that is because it is too thin. */
-function thinOn(mesh: Mesh, whole: Near, lattice: Lattice, cells: number, field: TreeField) {
+function thinOn(mesh: Mesh, whole: Sided, lattice: Lattice, cells: number, field: TreeField) {
   if (mesh.indices.length > 0) return { thin: thinOf(mesh, lattice, whole), evaluations: 0 };
   const { mesh: again, evaluations } = polygonize(field, cells);
   return { thin: again.thin ?? null, evaluations };
 }
 
 /** The mesh, and what the device says that it took to find its bricks. */
-async function read(polygonizer: GpuPolygonizer, node: FieldNode, where: Where, name: string) {
+async function read(
+  polygonizer: GpuPolygonizer,
+  node: FieldNode,
+  where: Where,
+  lattice: Lattice,
+  name: string,
+) {
   try {
     const onDevice = await polygonizer.whole(node, where);
     try {
       const mesh = await onDevice.read();
+      if (mesh.indices.length > 0) checkTold(lattice);
       const { work } = await onDevice.needed();
       return { mesh, work };
     } finally {

@@ -8,7 +8,7 @@ import { add3, dot3, length3, scale3, sub3 } from '../math/tuple.ts';
 import type { Vec3 } from '../math/vec.ts';
 import type { Chord, Surface } from './chords.ts';
 import { BRICK, type Lattice } from './lattice.ts';
-import type { Crossed } from './surfacePoint.ts';
+import type { Sided } from './local.ts';
 import type { ThinSpot } from './thinWalls.ts';
 
 /** Cells: cross sections that may have a single node, and lose 15 to 100 % of their area. Thicker ones lose up to 15 %, from 2.5 cells on 11 %. */
@@ -29,13 +29,13 @@ interface Seen {
 
 export class Bars {
   readonly #surface: Surface;
-  readonly #field: Crossed;
+  readonly #field: Sided;
   readonly #isGap: boolean;
   readonly #lattice: Lattice;
   readonly #atNode = new Map<number, Seen[]>();
 
   /** Of what is inside, or of gaps. */
-  constructor(surface: Surface, lattice: Lattice, field: Crossed, isGap: boolean) {
+  constructor(surface: Surface, lattice: Lattice, field: Sided, isGap: boolean) {
     this.#lattice = lattice;
     this.#surface = surface;
     this.#field = field;

@@ -16,6 +16,7 @@ import { EdgePoint } from './edgePoint.ts';
 import { CORNERS, SIDE } from './hermite.ts';
 import { isolatedSpots, type OneSided } from './isolated.ts';
 import { BRICK } from './lattice.ts';
+import { localField } from './local.ts';
 import { type LoopPoint, LoopPoints } from './loopPoints.ts';
 import { eachTriangle } from './loopTriangles.ts';
 import { meanNormals } from './meanNormals.ts';
@@ -113,15 +114,15 @@ export class BrickMesh {
     this.#vertices.forget();
     this.#points.forget();
     const { positions, normals, colours, flat } = this.#store;
-    const { whole } = this.#values;
-    const alone = isolatedSpots(whole, this.#bricks, this.#oneSided);
+    const alone = isolatedSpots(this.#values.whole, this.#bricks, this.#oneSided);
+    const seen = { positions, normals };
     const mesh = {
       positions: new Float32Array(positions),
       normals: new Float32Array(normals),
       uvs: new Float32Array((2 * positions.length) / 3),
       indices: new Uint32Array(this.#indices),
       colours: new Float32Array(colours),
-      thin: thinOf({ positions, normals }, this.#bricks.lattice, whole, [...this.#unseen, ...alone]),
+      thin: thinOf(seen, this.#bricks.lattice, localField(this.#bricks), [...this.#unseen, ...alone]),
     };
     if (flat.length > 0) meanNormals(mesh, new Set(flat));
     return mesh;

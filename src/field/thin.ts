@@ -2,7 +2,7 @@
 import type { Vec3 } from '../math/vec.ts';
 import type { Surface } from './chords.ts';
 import { BRICK, type Lattice } from './lattice.ts';
-import type { Crossed } from './surfacePoint.ts';
+import type { Sided } from './local.ts';
 import { type ThinSpot, thinWalls } from './thinWalls.ts';
 
 /** Of one mesh. */
@@ -25,7 +25,7 @@ export interface Thin {
 export function thinOf(
   surface: Surface,
   lattice: Lattice,
-  field: Crossed,
+  field: Sided,
   unseen: readonly ThinSpot[] = [],
 ): Thin | null {
   const spots = [...thinWalls(surface, lattice, field), ...unseen];

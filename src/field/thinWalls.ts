@@ -10,7 +10,7 @@ import type { Vec3 } from '../math/vec.ts';
 import { BAR, Bars } from './bars.ts';
 import { type Chord, eachChord, type Surface } from './chords.ts';
 import type { Lattice } from './lattice.ts';
-import type { Crossed } from './surfacePoint.ts';
+import type { Sided } from './local.ts';
 
 /** A place, and how thick the body is there, mm. */
 export interface ThinSpot {
@@ -32,7 +32,7 @@ const DEEP = 8;
 const OPPOSITE = -0.8;
 
 /** `surface`: vertices of a mesh of `field` that was made on `lattice`. */
-export function thinWalls(surface: Surface, lattice: Lattice, field: Crossed): ThinSpot[] {
+export function thinWalls(surface: Surface, lattice: Lattice, field: Sided): ThinSpot[] {
   const spots: ThinSpot[] = [];
   const [walls, gaps] = [false, true].map((isGap) => new Bars(surface, lattice, field, isGap)) as [
     Bars,
@@ -67,7 +67,7 @@ export function between({ positions, normals }: Surface, p: number, q: number, i
 /**
  * Whether a gap ends soon, as between balls that touch: with α the angle of its sides it does within 2/α of its width, be they flat or round.
  */
-function isCrevice(surface: Surface, { p, q }: Chord, width: number, step: number, field: Crossed): boolean {
+function isCrevice(surface: Surface, { p, q }: Chord, width: number, step: number, field: Sided): boolean {
   const { normals } = surface;
   const sum = (axis: 0 | 1 | 2) => normals[3 * p + axis]! + normals[3 * q + axis]!;
   const open: Vec3 = [sum(0), sum(1), sum(2)];
