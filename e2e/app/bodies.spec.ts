@@ -212,7 +212,7 @@ test('a file without a view fills the window, even with what no draft shows', as
   // 0.6 cells of 128, 1.3 of twice as many
   await page.getByRole('button', { name: 'Parts, 1' }).click();
   await page.getByRole('row', { name: /^Body 1/ }).click();
-  await expect(page.getByText('Hardly thicker than a cell in 1 place')).toBeVisible();
+  await expect(page.getByText('Hardly thicker than a cell or two in 1 place')).toBeVisible();
 });
 
 test('a body whose tree is replaced is edited, undone and redone; files are of what is made at once', async ({

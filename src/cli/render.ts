@@ -1,5 +1,6 @@
 /** `rotund render`: the picture the application shows, drawn by the same element in headless Chromium. */
 import type { Drawing } from '../document/drawing.ts';
+import type { Flaw } from '../element/flaws.ts';
 import type { Shot } from '../element/shot.ts';
 import { type Args, inputOf } from './args.ts';
 import { firstLine, type OpenPage, openPage, withBrowser } from './browser.ts';
@@ -22,9 +23,11 @@ export async function render(args: Args): Promise<void> {
   checkOutput(out, input);
   const { drawing } = await readInput(input);
   for (const warning of leftOut(drawing.document)) say(`rotund: ${warning}`);
-  const { png, backend } = await withBrowser(async (browser) =>
+  const { png, backend, flaws } = await withBrowser(async (browser) =>
     drawn(await openPage(browser), drawing, shot),
   );
+  for (const { name, words } of flaws)
+    say(`rotund: “${name}”: ${words.charAt(0).toLowerCase()}${words.slice(1)}`);
   writeOutputs([{ path: out, bytes: png }]);
   const milliseconds = Math.round(performance.now() - started);
   result({ width: shot.width, height: shot.height, backend, milliseconds });
@@ -45,6 +48,8 @@ function shotOf(values: Args['values']) {
 interface Picture {
   readonly png: Uint8Array;
   readonly backend: string;
+  /** what it does not show */
+  readonly flaws: readonly Flaw[];
 }
 
 /** ms a picture may take: large ones take minutes on a software adapter. */
@@ -58,8 +63,8 @@ async function drawn({ page, broken }: OpenPage, drawing: Drawing, shot: Shot): 
     timer = setTimeout(() => reject(new Error('it took longer than ten minutes')), PATIENCE);
   });
   try {
-    const { base64, backend } = await Promise.race([broken, page.evaluate(inPage, order), tooLong]);
-    return { png: Buffer.from(base64, 'base64'), backend };
+    const { base64, backend, flaws } = await Promise.race([broken, page.evaluate(inPage, order), tooLong]);
+    return { png: Buffer.from(base64, 'base64'), backend, flaws };
   } catch (error) {
     const reason = firstLine(error).replace(/^page\.evaluate: (Error: )?/, '');
     throw new Problem(`the picture could not be drawn: ${reason}`, 1);
@@ -68,8 +73,12 @@ async function drawn({ page, broken }: OpenPage, drawing: Drawing, shot: Shot): 
   }
 }
 
+interface InPage extends Omit<Picture, 'png'> {
+  readonly base64: string;
+}
+
 /** Runs in the page. */
-async function inPage(order: string): Promise<{ readonly base64: string; readonly backend: string }> {
+async function inPage(order: string): Promise<InPage> {
   const { drawing, shot } = JSON.parse(order);
   await customElements.whenDefined('rotund-sketch');
   const sketch = document.querySelector('rotund-sketch')!;
@@ -81,5 +90,8 @@ async function inPage(order: string): Promise<{ readonly base64: string; readonl
     reader.readAsDataURL(picture);
   });
   const url = reader.result as string;
-  return { base64: url.slice(url.indexOf(',') + 1), backend: sketch.dataset.backend ?? 'none' };
+  const isExact = (shot.mode ?? drawing.look?.mode) === 'exact';
+  // rays see what is thin
+  const flaws = sketch.flaws.filter(({ what }) => !isExact || what === 'cut' || what === 'none');
+  return { base64: url.slice(url.indexOf(',') + 1), backend: sketch.dataset.backend ?? 'none', flaws };
 }

@@ -60,6 +60,11 @@ const about = (a: Box, b: Box): Box => unite(a, b)!;
 const ends: Box = { min: [-PAGE, -PAGE, -PAGE], max: [PAGE, PAGE, PAGE] };
 const known = new WeakMap<FieldNode, Box | null>();
 
+/** Looks for the box of a body, which takes some milliseconds, before all of a document's are asked for at once. */
+export function measureBody(node: FieldNode): void {
+  boxOfBody(node);
+}
+
 /** Null: it has no surface. What has no end is cut off. */
 function boxOfBody(node: FieldNode): Box | null {
   const before = known.get(node);

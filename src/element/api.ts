@@ -17,6 +17,7 @@ import { checkedCommands, checkedIds } from './check.ts';
 import { Declared, type DeclaredHost } from './declared.ts';
 import { changed, failed, modeChanged, type RotundSketchEventMap, selected } from './events.ts';
 import { shownBodies } from './exact.ts';
+import type { Flaw } from './flaws.ts';
 import type { Waiting } from './needs.ts';
 import type { Hooks, Session } from './session.ts';
 import { pictureOptions, pngOf, type Shot } from './shot.ts';
@@ -257,6 +258,11 @@ export abstract class SketchApi extends LitElement {
   /** Selects these parts and no others; ids that no part has are left out. */
   select(ids: readonly string[]): void {
     this.session.select(checkedIds(ids));
+  }
+
+  /** What meshes of bodies do not show, as far as they are made: too thin, gaps that closed, cut off, nothing there. In the order of the parts. */
+  get flaws(): readonly Flaw[] {
+    return this.session.flaws;
   }
 
   /** A PNG of exactly this size, of the kept parts, nothing selected; waits for `src`, for bodies and for the scene. */

@@ -23,6 +23,7 @@ export type {
   RotundSketchEventMap,
   SelectDetail,
 } from './events.ts';
+export type { Flaw } from './flaws.ts';
 export type { Waiting } from './needs.ts';
 export { RotundSketch } from './rotundSketch.ts';
 export type { Angles, Shot } from './shot.ts';

@@ -38,6 +38,7 @@ import { draftProblem } from './draftProblem.ts';
 import type { Cause } from './events.ts';
 import { Exact } from './exact.ts';
 import { exactHit } from './exactPick.ts';
+import { type Flaw, flawsIn } from './flaws.ts';
 import { Frames } from './frames.ts';
 import type { NoPicture } from './noPicture.ts';
 import { spoken } from './speech.ts';
@@ -188,7 +189,23 @@ export class Session implements Bench, Viewport {
       this.notice = { text, passing: true, actions: [] };
       this.said = text;
     }
+    if (!lost && this.bodies.making === null) this.#sayFlaws();
     this.update();
+  }
+
+  /** Once of each tree, when all is made: what is not seen of it. */
+  #sayFlaws(): void {
+    const isNew = ({ part }: Flaw) => {
+      const { node } = this.document.parts.filter(isBody).find(({ id }) => id === part)!;
+      return !this.#told.has(node) && this.#told.add(node);
+    };
+    const flaw = this.flaws.find(isNew);
+    if (flaw) this.said = WORDS.flawed(flaw.name, flaw.words);
+  }
+
+  /** What the picture does not show of the bodies that are shown. */
+  get flaws(): readonly Flaw[] {
+    return flawsIn(this.document, (node) => this.bodies.problem(node));
   }
 
   /** There is more to be seen of it, or to be said. */
