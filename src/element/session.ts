@@ -195,12 +195,12 @@ export class Session implements Bench, Viewport {
 
   /** Once of each tree, when all is made: what is not seen of it. */
   #sayFlaws(): void {
-    const isNew = ({ part }: Flaw) => {
-      const { node } = this.document.parts.filter(isBody).find(({ id }) => id === part)!;
-      return !this.#told.has(node) && this.#told.add(node);
-    };
-    const flaw = this.flaws.find(isNew);
-    if (flaw) this.said = WORDS.flawed(flaw.name, flaw.words);
+    const nodes = new Map(this.document.parts.filter(isBody).map(({ id, node }) => [id, node]));
+    const fresh = this.flaws.filter(({ part }) => !this.#told.has(nodes.get(part)!));
+    for (const { part } of fresh) this.#told.add(nodes.get(part)!);
+    const [first, ...others] = fresh;
+    const more = new Set(others.map(({ part }) => part).filter((part) => part !== first?.part)).size;
+    if (first) this.said = WORDS.flawed(first.name, first.words, more);
   }
 
   /** What the picture does not show of the bodies that are shown. */

@@ -68,7 +68,8 @@ export const WORDS = {
   noSurface:
     'Its field is nowhere above 0, or only where it is too thin to be seen. A lower threshold or larger radii help.',
   tooThin: 'All of it is thinner than the cells that it is made in. Larger radii help.',
-  flawed: (name: string, words: string) => `${name}: ${words.charAt(0).toLowerCase()}${words.slice(1)}`,
+  flawed: (name: string, words: string, more: number) =>
+    `${name}: ${words.charAt(0).toLowerCase()}${words.slice(1)}${more > 0 ? ` And ${more === 1 ? 'another part' : `${more} other parts`}: see Parts.` : ''}`,
   notMade: (name: string, why: string) => `${name} could not be made: ${why}`,
   failed: 'This surface could not be built. The strokes are safe.',
   penFound: 'Pen found. Fingers now turn the view.',
