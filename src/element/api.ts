@@ -260,7 +260,7 @@ export abstract class SketchApi extends LitElement {
     this.session.select(checkedIds(ids));
   }
 
-  /** What meshes of bodies do not show, as far as they are made: too thin, gaps that closed, cut off, nothing there. In the order of the parts. */
+  /** What meshes of the bodies that are shown lack, as far as they are made: `part`, `name`, `what` (`none`, `thin`, `gaps`, `cut`) and `words` that say what helps. */
   get flaws(): readonly Flaw[] {
     return this.session.flaws;
   }

@@ -159,9 +159,9 @@ const placesOf = (places: number): string => (places === 1 ? '1 place' : `${plac
 /** What the picture does not show of a body, and what helps. */
 export const FLAWS = {
   thin: (places: number) =>
-    `Hardly thicker than a cell or two in ${placesOf(places)}: pieces may be missing. Thicker, or exact (X), it is whole.`,
+    `Hardly thicker than a cell or two in ${placesOf(places)}: pieces may be missing. Thicker, or seen exactly, it is whole.`,
   gaps: (gaps: number) =>
-    `Nearer to itself than a cell in ${placesOf(gaps)}: gaps may have closed. Wider, or exact (X), they are open.`,
+    `Nearer to itself than a cell in ${placesOf(gaps)}: gaps may have closed. Wider, or seen exactly, they are open.`,
   cut: `Without end: cut off about ${PAGE} mm from the origin. An intersection with a box ends it where you like.`,
 } as const;
 
