@@ -18,7 +18,7 @@ export const FIELD_WORDS = {
       ? 'All of it is thinner than the cells. More cells show it'
       : 'Nothing is inside. A lower T or a larger radius helps';
   },
-  preparing: 'Preparing the graphics card. Its programs are made for each kind of body once',
+  preparing: 'Preparing the graphics card, which takes a while for each new kind of body',
   kept: 'Not made. The last body stays',
   none: 'Not made',
   facts: ({ triangles, vertices }: Shown) => `${count(triangles)} triangles · ${count(vertices)} vertices`,
