@@ -4,6 +4,8 @@ export default defineConfig({
   // Relative addresses, so that the built application runs from any folder.
   base: './',
   server: { port: 5173 },
+  // Lit's build for development says at each start that it is one.
+  resolve: { conditions: ['module', 'browser', 'production'] },
   build: {
     outDir: 'dist/app',
     target: 'es2022',

@@ -80,7 +80,7 @@ export const RENDER: CommandSpec = {
     {
       name: 'mode',
       value: 'mesh|raycast',
-      help: 'how bodies are drawn: triangles, or their surface itself by rays (as stored in the drawing)',
+      help: 'how bodies are drawn: triangles, or their exact surface by rays (as stored in the drawing)',
     },
     {
       name: 'rays',

@@ -2,14 +2,18 @@
 
 import { type Body, bodyMade, keepBody } from '../document/bodies.ts';
 import { bindField } from '../field/bind.ts';
+import { checkTold, type Lattice } from '../field/lattice.ts';
+import { localField, type Sided } from '../field/local.ts';
 import type { FieldNode } from '../field/node.ts';
-import { type Located, latticed, locating } from '../field/polygonize.ts';
+import { type Located, latticed, locating, polygonize } from '../field/polygonize.ts';
 import { thinOf } from '../field/thin.ts';
+import type { TreeField } from '../field/treeField.ts';
 import { cullsOnDevice } from '../gpu/bricks/cullsOnDevice.ts';
 import { openDevice } from '../gpu/device.ts';
 import { type GpuPolygonizer, gpuPolygonizer, type Where } from '../gpu/polygonize/polygonizer.ts';
 import { gpuWork } from '../gpu/polygonize/work.ts';
 import { finished } from '../math/finished.ts';
+import type { Mesh } from '../mesh/mesh.ts';
 import type { BodyMaker, MadeBody } from './bodyMaker.ts';
 import type { OpenGpu } from './gpuEvaluator.ts';
 import { Problem } from './problem.ts';
@@ -41,12 +45,19 @@ async function made(
   if (known?.cells === cells) return { ...known, backend: 'webgpu' };
   const field = bindField(node);
   if (cullsOnDevice(node)) {
-    const { lattice, tally } = finished(latticed(field, cells));
-    const { mesh, work } = await read(polygonizer, node, lattice, name);
-    const thin = thinOf(mesh, lattice);
-    return kept(node, { mesh: { ...mesh, thin }, evaluations: tally.work + work, cells });
+    const { lattice, tally, whole } = finished(latticed(field, cells));
+    const { mesh, work } = await read(polygonizer, node, lattice, lattice, name);
+    const found = thinOn(mesh, whole, lattice, cells, field);
+    return kept(node, {
+      mesh: { ...mesh, thin: found.thin },
+      evaluations: tally.work + work + found.evaluations,
+      cells,
+    });
   }
-  return kept(node, { ...(await onGpu(polygonizer, node, finished(locating(field, cells)), name)), cells });
+  return kept(node, {
+    ...(await onGpu(polygonizer, node, finished(locating(field, cells)), { name, cells, field })),
+    cells,
+  });
 }
 
 function kept(node: FieldNode, body: Body): MadeBody {
@@ -58,21 +69,38 @@ async function onGpu(
   polygonizer: GpuPolygonizer,
   node: FieldNode,
   { bricks, tally }: Located,
-  name: string,
+  { name, cells, field }: { readonly name: string; readonly cells: number; readonly field: TreeField },
 ): Promise<Omit<Body, 'cells'>> {
   const { nodes, aVertex } = gpuWork(bricks);
-  const { mesh } = await read(polygonizer, node, bricks, name);
+  const { mesh } = await read(polygonizer, node, bricks, bricks.lattice, name);
   const vertices = mesh.positions.length / 3;
-  const thin = thinOf(mesh, bricks.lattice);
-  return { mesh: { ...mesh, thin }, evaluations: tally.work + nodes + aVertex * vertices };
+  const { thin, evaluations } = thinOn(mesh, localField(bricks), bricks.lattice, cells, field);
+  return {
+    mesh: { ...mesh, thin },
+    evaluations: tally.work + nodes + aVertex * vertices + evaluations,
+  };
+}
+
+/** Where nothing came of it the CPU has to say whether that is because it is too thin. */
+function thinOn(mesh: Mesh, whole: Sided, lattice: Lattice, cells: number, field: TreeField) {
+  if (mesh.indices.length > 0) return { thin: thinOf(mesh, lattice, whole), evaluations: 0 };
+  const { mesh: again, evaluations } = polygonize(field, cells);
+  return { thin: again.thin ?? null, evaluations };
 }
 
 /** The mesh, and what the device says that it took to find its bricks. */
-async function read(polygonizer: GpuPolygonizer, node: FieldNode, where: Where, name: string) {
+async function read(
+  polygonizer: GpuPolygonizer,
+  node: FieldNode,
+  where: Where,
+  lattice: Lattice,
+  name: string,
+) {
   try {
     const onDevice = await polygonizer.whole(node, where);
     try {
       const mesh = await onDevice.read();
+      if (mesh.indices.length > 0) checkTold(lattice);
       const { work } = await onDevice.needed();
       return { mesh, work };
     } finally {

@@ -3,6 +3,7 @@ import { CELLS } from '../document/bodies.ts';
 import { hasSurface, type Resolution, type Solid, solidOf } from '../document/build.ts';
 import { cellsOfBodies } from '../document/cells.ts';
 import { type Document, isBody, type Part } from '../document/document.ts';
+import { boxOfMesh } from '../document/extent.ts';
 import type { FieldNode } from '../field/node.ts';
 import { type BodyMaker, type MadeBody, shownWhole } from './bodyMaker.ts';
 import { measuresOf, type PartMeasures } from './measures.ts';
@@ -68,6 +69,20 @@ function bodiesOf(document: Document, { cells, make }: Building) {
 
 type Bodies = ReturnType<typeof bodiesOf>;
 
+/** of neighbouring float32 numbers, 2⁻²³ of their size apart: narrower cells are no shapes any more */
+const FEWEST = 8;
+
+/** Where a part was moved to its cells may be less than numbers of a mesh can tell. */
+function checkPlaced({ mesh }: Solid, cells: number): void {
+  const { min, max } = boxOfMesh(mesh);
+  const far = Math.max(...[...min, ...max].map(Math.abs));
+  const size = Math.max(...max.map((end, axis) => end - min[axis]!));
+  if (size / cells > FEWEST * 1.1920929e-7 * far) return;
+  throw new Error(
+    `it lies ${Number(far.toPrecision(2))} mm from the origin, too far for a mesh of what is this small`,
+  );
+}
+
 interface Built {
   readonly solid: Solid | null;
   readonly body: MadeBody | null;
@@ -76,7 +91,9 @@ interface Built {
 async function built(part: Part, { name, quads }: Building, bodies: Bodies): Promise<Built> {
   try {
     const body = isBody(part) ? await bodies.of(part.node, part.name) : null;
-    return { solid: solidOf(part, quads), body };
+    const solid = solidOf(part, quads);
+    if (solid && hasSurface(solid)) checkPlaced(solid, body?.cells ?? quads.u);
+    return { solid, body };
   } catch (error) {
     if (error instanceof Problem) throw error;
     const reason = error instanceof Error ? error.message : String(error);

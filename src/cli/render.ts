@@ -1,6 +1,7 @@
 /** `rotund render`: the picture the application shows, drawn by the same element in headless Chromium. */
 import { type Document, isBody } from '../document/document.ts';
 import type { Drawing } from '../document/drawing.ts';
+import type { Flaw } from '../element/flaws.ts';
 import type { Shot } from '../element/shot.ts';
 import { type Comparison, zhuSum } from '../field/zhuImage.ts';
 import { type Args, inputOf } from './args.ts';
@@ -26,9 +27,11 @@ export async function render(args: Args): Promise<void> {
   const { drawing } = await readInput(input);
   for (const warning of leftOut(drawing.document)) say(`rotund: ${warning}`);
   if (isCompared) checkSums(drawing.document, input);
-  const { png, backend, ...counts } = await withBrowser(async (browser) =>
+  const { png, backend, flaws, ...counts } = await withBrowser(async (browser) =>
     drawn(await openPage(browser), { drawing, shot, isCompared }),
   );
+  for (const { name, words } of flaws)
+    say(`rotund: “${name}”: ${words.charAt(0).toLowerCase()}${words.slice(1)}`);
   writeOutputs([{ path: out, bytes: png }]);
   const milliseconds = Math.round(performance.now() - started);
   result({ width: shot.width, height: shot.height, backend, ...counts, milliseconds });
@@ -70,6 +73,8 @@ interface Picture {
   readonly backend: string;
   /** of a comparison */
   readonly rays?: Comparison;
+  /** what it does not show */
+  readonly flaws: readonly Flaw[];
 }
 
 /** ms a picture may take: large ones take minutes on a software adapter. */
@@ -93,8 +98,12 @@ async function drawn({ page, broken }: OpenPage, wanted: Order): Promise<Picture
   }
 }
 
+interface InPage extends Omit<Picture, 'png'> {
+  readonly base64: string;
+}
+
 /** Runs in the page. */
-async function inPage(order: string): Promise<Omit<Picture, 'png'> & { readonly base64: string }> {
+async function inPage(order: string): Promise<InPage> {
   const { drawing, shot, isCompared } = JSON.parse(order);
   await customElements.whenDefined('rotund-sketch');
   const sketch = document.querySelector('rotund-sketch')!;
@@ -108,6 +117,10 @@ async function inPage(order: string): Promise<Omit<Picture, 'png'> & { readonly 
     reader.readAsDataURL(picture);
   });
   const url = reader.result as string;
-  const said = { base64: url.slice(url.indexOf(',') + 1), backend: sketch.dataset.backend ?? 'none' };
+  const isExact = isCompared || (shot.mode ?? drawing.look?.mode) === 'exact';
+  // rays see what is thin
+  const flaws = sketch.flaws.filter(({ what }) => !isExact || what === 'cut' || what === 'none');
+  const base64 = url.slice(url.indexOf(',') + 1);
+  const said = { base64, backend: sketch.dataset.backend ?? 'none', flaws };
   return 'hits' in counts ? { ...said, rays: counts } : said;
 }

@@ -10,7 +10,9 @@ import { counted, namesOf } from './report.ts';
 /** In the JSON. */
 export interface ThinPlaces {
   readonly places: number;
-  /** mm */
+  /** those of the places where the body is too near to itself */
+  readonly gaps: number;
+  /** mm; the narrowest gap where there is nothing else */
   readonly least: number;
   /** mm, where the part was moved to */
   readonly at: Vec3;
@@ -35,9 +37,9 @@ export function thinBody(document: Document, part: Part, body: MadeBody | null):
   if (!thin) return { backend, cells, thin: null };
   const share = cellsOfBodies(document, RESOLUTION.max)(part.node) / RESOLUTION.max;
   const enough = ROUND * Math.ceil((cells * wanting(thin)) / share / ROUND);
-  const { places, least, at } = thin;
+  const { places, gaps, least, at } = thin;
   const resolution = enough <= RESOLUTION.max ? enough : null;
-  return { backend, cells, thin: { places, least, at: place3(part.placement, at), resolution } };
+  return { backend, cells, thin: { places, gaps, least, at: place3(part.placement, at), resolution } };
 }
 
 /** What made any of the bodies, and where any is thin. */
@@ -50,10 +52,12 @@ export function allMade(parts: readonly MadePart[]): Pick<MadePart, 'backend' | 
 function thinTotal(parts: readonly MadePart[]): ThinPlaces | null {
   const found = parts.map(({ thin }) => thin).filter((thin) => thin !== null);
   if (found.length === 0) return null;
-  const { least, at } = found.reduce((a, b) => (b.least < a.least ? b : a));
+  const walls = found.filter(({ places, gaps }) => places > gaps);
+  const { least, at } = (walls.length > 0 ? walls : found).reduce((a, b) => (b.least < a.least ? b : a));
   const needed = found.map(({ resolution }) => resolution);
   return {
     places: found.reduce((sum, { places }) => sum + places, 0),
+    gaps: found.reduce((sum, { gaps }) => sum + gaps, 0),
     least,
     at,
     resolution: needed.includes(null) ? null : Math.max(...needed.map(Number)),
@@ -62,17 +66,26 @@ function thinTotal(parts: readonly MadePart[]): ThinPlaces | null {
 
 type Named = MadePart & { readonly name: string };
 
-/** In words: what may lack pieces. */
+/** In words: what may lack pieces, and where gaps may have closed. */
 export function thinParts(parts: readonly Named[]): string[] {
-  const thin = parts.filter((part) => part.thin !== null);
-  const whole = thinTotal(thin);
-  if (!whole) return [];
-  const where = whole.places === 1 ? '1 place' : `${whole.places} places`;
-  const least = `${Number(whole.least.toPrecision(2))} mm at the thinnest`;
+  const isThin = ({ thin }: Named) => thin !== null && thin.places > thin.gaps;
+  const thin = parts.filter(isThin);
+  const near = parts.filter(({ thin }) => thin !== null && thin.gaps > 0);
   return [
-    `hardly thicker than a cell in ${where}, ${least}, so that pieces may be missing: ${namesOf(thin)}; ${remedy(whole)}`,
+    ...told(thin, ({ places, gaps, least }) => {
+      const where = `${counts(places - gaps)}, ${Number(least.toPrecision(2))} mm at the thinnest`;
+      return `hardly thicker than a cell or two in ${where}, so that pieces may be missing`;
+    }),
+    ...told(near, ({ gaps }) => `gaps of a cell or less, which may have closed, in ${counts(gaps)}`),
   ];
 }
+
+function told(parts: readonly Named[], what: (whole: ThinPlaces) => string): string[] {
+  const whole = thinTotal(parts);
+  return whole ? [`${what(whole)}: ${namesOf(parts)}; ${remedy(whole)}`] : [];
+}
+
+const counts = (places: number): string => (places === 1 ? '1 place' : `${places} places`);
 
 /** In words: parts that pass between the cells and have no mesh at all. */
 export function lostParts(parts: readonly Named[]): string[] {

@@ -10,7 +10,7 @@ import { RESOLUTION } from '../field/lattice.ts';
 import { Tally } from '../field/near.ts';
 import type { FieldNode } from '../field/node.ts';
 import { PAGE } from '../field/polygonize.ts';
-import { THIN } from '../field/thinWalls.ts';
+import type { Thin } from '../field/thin.ts';
 import { finished } from '../math/finished.ts';
 import { place3 } from '../math/placement.ts';
 import type { Box } from '../skeleton/skeleton.ts';
@@ -49,18 +49,23 @@ function sideOf({ parts }: Document): number {
 
 /** Cells that show all of a body, or as many as are made unasked; those it has where nothing of it is thin. */
 export function finerCells({ cells, mesh: { thin } }: Body): number {
-  if (!thin) return cells;
+  // gaps beside what touches are as narrow as one likes: more cells only move where they close
+  if (!thin || thin.gaps === thin.places) return cells;
   const enough = cells * wanting(thin);
   return Math.min(Math.ceil(enough / STEPS) * STEPS, MORE * cells, RESOLUTION.max);
 }
 
 /** How much smaller cells have to be to show what is thin. */
-export const wanting = ({ least, cell }: { readonly least: number; readonly cell: number }): number =>
-  (ENOUGH * THIN * cell) / least;
+export const wanting = ({ finer }: Pick<Thin, 'finer'>): number => ENOUGH * finer;
 
 const about = (a: Box, b: Box): Box => unite(a, b)!;
 const ends: Box = { min: [-PAGE, -PAGE, -PAGE], max: [PAGE, PAGE, PAGE] };
 const known = new WeakMap<FieldNode, Box | null>();
+
+/** Looks for the box of a body, which takes some milliseconds, before all of a document's are asked for at once. */
+export function measureBody(node: FieldNode): void {
+  boxOfBody(node);
+}
 
 /** Null: it has no surface. What has no end is cut off. */
 function boxOfBody(node: FieldNode): Box | null {

@@ -19,6 +19,7 @@ import { Declared, type DeclaredHost } from './declared.ts';
 import { changed, failed, modeChanged, type RotundSketchEventMap, selected } from './events.ts';
 import { Exact, shownBodies } from './exact.ts';
 import type { Picked } from './exactPick.ts';
+import type { Flaw } from './flaws.ts';
 import type { Waiting } from './needs.ts';
 import type { Hooks, Session } from './session.ts';
 import { pictureOptions, pngOf, type Shot } from './shot.ts';
@@ -271,6 +272,11 @@ export abstract class SketchApi extends LitElement {
   /** Selects these parts and no others; ids that no part has are left out. */
   select(ids: readonly string[]): void {
     this.session.select(checkedIds(ids));
+  }
+
+  /** What meshes of the bodies that are shown lack, as far as they are made: `part`, `name`, `what` (`none`, `thin`, `gaps`, `cut`) and `words` that say what helps. */
+  get flaws(): readonly Flaw[] {
+    return this.session.flaws;
   }
 
   /** A PNG of exactly this size, of the kept parts, nothing selected; waits for `src`, for bodies and for the scene. */

@@ -5,7 +5,7 @@
  * them, and waits. Files are of bodies that are made at once, whatever is shown.
  */
 import { type Body, bodyMade, CELLS, dropBody, keepBody, makeBody } from '../document/bodies.ts';
-import { finerCells } from '../document/cells.ts';
+import { finerCells, measureBody } from '../document/cells.ts';
 import { DRAFT, type FromWorker, type Made, type ToWorker } from '../field/fieldWork.ts';
 import type { FieldNode } from '../field/node.ts';
 import { areAlike } from '../field/treeChanges.ts';
@@ -265,7 +265,9 @@ export class Bodies {
 
   #done({ node, cells }: Job, body: Body): void {
     keepBody(node, body);
-    if (cells === this.#cellsOf(node)) this.#asked.set(node, cells);
+    // cells of one depend on the boxes of all: one at a time, or a hundred would block the page
+    if (cells === DRAFT && this.#wanted.length > 1) measureBody(node);
+    else if (cells === this.#cellsOf(node)) this.#asked.set(node, cells);
     this.#job = null;
     if (cells !== DRAFT && body.mesh.indices.length === 0 && this.#missing(node) === null) {
       this.#problems.set(node, body.mesh.thin ? WORDS.tooThin : WORDS.noSurface);

@@ -25,6 +25,7 @@ export type {
   SelectDetail,
 } from './events.ts';
 export type { Picked } from './exactPick.ts';
+export type { Flaw } from './flaws.ts';
 export type { Waiting } from './needs.ts';
 export { RotundSketch } from './rotundSketch.ts';
 export type { Angles, Shot } from './shot.ts';

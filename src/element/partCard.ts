@@ -1,14 +1,13 @@
 /** What can be set of the selected parts: name, colour, radius. What is set of several is set of all. */
 import { html, nothing, type TemplateResult } from 'lit';
 import { live } from 'lit/directives/live.js';
-import { bodyMade } from '../document/bodies.ts';
 import { bodyCounts } from '../document/bodyCounts.ts';
 import { CLAY, solidOf } from '../document/build.ts';
 import { LONGEST_NAME } from '../document/command/renamePart.ts';
 import { colourOf, isBody, type Part, RADIUS_RANGE, type SurfacePart } from '../document/document.ts';
-import { DRAFT } from '../field/fieldWork.ts';
 import { colourName, spheres } from './colours.ts';
 import { radiusToSlider, sliderToRadius } from './controls.ts';
+import { flawsOf } from './flaws.ts';
 import type { Session } from './session.ts';
 import { PART_WORDS, SURFACE } from './words.ts';
 
@@ -30,7 +29,7 @@ export function partCard(session: Session): TemplateResult {
     <h3>${PART_WORDS.colour} <span class="value">${colourWords(parts)}</span></h3>
     ${partColours(session)} ${radius(session, parts)}
     ${only ? html`<p class="quiet-words">${facts(only)}</p>` : nothing}
-    ${only ? thinness(only) : nothing}
+    ${only ? flaws(session, only) : nothing}
   </section>`;
 }
 
@@ -102,12 +101,9 @@ export function madeOf(part: Part): string {
     : PART_WORDS.strokes(part.strokes.length);
 }
 
-/** Drafts are coarse in any case. */
-function thinness(part: Part): TemplateResult | typeof nothing {
-  const body = isBody(part) ? bodyMade(part.node) : null;
-  const thin = body && body.cells > DRAFT ? body.mesh.thin : null;
-  return thin ? html`<p class="quiet-words">${PART_WORDS.thin(thin.places)}</p>` : nothing;
-}
+/** What is not seen of it. */
+const flaws = ({ bodies }: Session, part: Part): TemplateResult[] =>
+  flawsOf(part, (node) => bodies.problem(node)).map(({ words }) => html`<p class="quiet-words">${words}</p>`);
 
 function facts(part: Part): string {
   const triangles = (solidOf(part)?.mesh.indices.length ?? 0) / 3;

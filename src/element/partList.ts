@@ -9,6 +9,8 @@ import { html, render, type TemplateResult } from 'lit';
 import { ref } from 'lit/directives/ref.js';
 import { repeat } from 'lit/directives/repeat.js';
 import type { Part } from '../document/document.ts';
+import type { FieldNode } from '../field/node.ts';
+import { flawsOf, type Problem } from './flaws.ts';
 import { icon } from './icons.ts';
 import { madeOf } from './partCard.ts';
 import { removeSelection } from './partDeeds.ts';
@@ -29,6 +31,8 @@ interface Shown {
   last: number;
   /** id */
   active: string | null;
+  /** what is told of bodies, which are made when the list is long drawn */
+  flaws: string;
 }
 
 const shown = new WeakMap<Element, Shown>();
@@ -52,16 +56,18 @@ function draw(list: HTMLElement, session: Session): void {
     parts,
     selection,
     active: active ?? parts[0]?.id ?? null,
+    flaws: session.flaws.map(({ part, what }) => `${part} ${what}`).join(),
     ...rowsInSight(list, parts),
   };
   const same = (Object.keys(now) as (keyof Shown)[]).every((key) => now[key] === before?.[key]);
   if (same) return;
   shown.set(list, now);
   const selected = new Set(selection);
+  const problem = (node: FieldNode) => session.bodies.problem(node);
   const rows = repeat(
     parts.slice(now.first, now.last),
     ({ id }) => id,
-    (part, i) => row(part, now.first + i, selected.has(part.id), part.id === now.active),
+    (part, i) => row(part, now.first + i, selected.has(part.id), part.id === now.active, problem),
   );
   const [above, below] = [now.first, parts.length - now.last].map((count) => `${ROW * count}rem`);
   render(
@@ -96,10 +102,17 @@ function rowsInSight(list: HTMLElement, parts: readonly Part[]): { first: number
 
 const rowHeight = (list: HTMLElement): number => list.querySelector<HTMLElement>('.part')?.offsetHeight || 48;
 
-function row(part: Part, index: number, selected: boolean, active: boolean): TemplateResult {
+function row(
+  part: Part,
+  index: number,
+  selected: boolean,
+  active: boolean,
+  problem: Problem,
+): TemplateResult {
   const { id, name, kind, hidden } = part;
   const facts = [SURFACE[kind].name, madeOf(part)];
   if (hidden) facts.push(PART_WORDS.hidden);
+  for (const { what } of hidden ? [] : flawsOf(part, problem)) facts.push(PART_WORDS.flaw[what]);
   const eye = hidden ? PART_WORDS.show(name) : PART_WORDS.hide(name);
   return html`<div class="part ${hidden ? 'unseen' : ''} ${active ? 'active' : ''}" role="row" id="row-${id}" data-id=${id}
     aria-rowindex=${index + 1} aria-selected=${selected} aria-label="${name}, ${facts.join(', ')}">

@@ -38,6 +38,7 @@ import { draftProblem } from './draftProblem.ts';
 import type { Cause } from './events.ts';
 import { Exact } from './exact.ts';
 import { type Picked, pickedOn } from './exactPick.ts';
+import { type Flaw, flawsIn } from './flaws.ts';
 import { Frames } from './frames.ts';
 import type { NoPicture } from './noPicture.ts';
 import { Rays } from './rays.ts';
@@ -193,7 +194,23 @@ export class Session implements Bench, Viewport {
       this.notice = { text, passing: true, actions: [] };
       this.said = text;
     }
+    if (!lost && this.bodies.making === null) this.#sayFlaws();
     this.update();
+  }
+
+  /** Once of each tree, when all is made: what is not seen of it. */
+  #sayFlaws(): void {
+    const nodes = new Map(this.document.parts.filter(isBody).map(({ id, node }) => [id, node]));
+    const fresh = this.flaws.filter(({ part }) => !this.#told.has(nodes.get(part)!));
+    for (const { part } of fresh) this.#told.add(nodes.get(part)!);
+    const [first, ...others] = fresh;
+    const more = new Set(others.map(({ part }) => part).filter((part) => part !== first?.part)).size;
+    if (first) this.said = WORDS.flawed(first.name, first.words, more);
+  }
+
+  /** What the picture does not show of the bodies that are shown. */
+  get flaws(): readonly Flaw[] {
+    return flawsIn(this.document, (node) => this.bodies.problem(node));
   }
 
   /** There is more to be seen of it, or to be said. */

@@ -1,5 +1,7 @@
 /** All words of the interface: plain verbs, no exclamation marks. */
+
 import type { Part } from '../document/document.ts';
+import { PAGE } from '../field/polygonize.ts';
 import type { SurfaceKind } from '../surface/index.ts';
 
 /** What parts are called by what they are made of. */
@@ -74,8 +76,11 @@ export const WORDS = {
   full: 'This drawing is full: a file holds no more strokes. Save it, and go on in a new one.',
   cannotKeep: 'There is nothing to keep yet. Draw it again, or drop it.',
   making: (name: string, percent: number) => `Making ${name}, ${percent} %`,
-  noSurface: 'Its field is nowhere above 0, or only where it is too thin to be seen.',
-  tooThin: 'All of it is thinner than the cells that it is made in.',
+  noSurface:
+    'Its field is nowhere above 0, or only where it is too thin to be seen. A lower threshold or larger radii help.',
+  tooThin: 'All of it is thinner than the cells that it is made in. Larger radii help.',
+  flawed: (name: string, words: string, more: number) =>
+    `${name}: ${words.charAt(0).toLowerCase()}${words.slice(1)}${more > 0 ? ` And ${more === 1 ? 'another part' : `${more} other parts`}: see Parts.` : ''}`,
   notMade: (name: string, why: string) => `${name} could not be made: ${why}`,
   failed: 'This surface could not be built. The strokes are safe.',
   penFound: 'Pen found. Fingers now turn the view.',
@@ -160,6 +165,17 @@ export const FILE_WORDS = {
   noFile: 'Not in a file yet',
 } as const;
 
+const placesOf = (places: number): string => (places === 1 ? '1 place' : `${places} places`);
+
+/** What the picture does not show of a body, and what helps. */
+export const FLAWS = {
+  thin: (places: number) =>
+    `Hardly thicker than a cell or two in ${placesOf(places)}: pieces may be missing. Thicker, or seen exactly, it is whole.`,
+  gaps: (gaps: number) =>
+    `Nearer to itself than a cell in ${placesOf(gaps)}: gaps may have closed. Wider, or seen exactly, they are open.`,
+  cut: `Without end: cut off about ${PAGE} mm from the origin. An intersection with a box ends it where you like.`,
+} as const;
+
 /** Words of what is in the hand. */
 export const PART_WORDS = {
   select: 'Select',
@@ -170,8 +186,8 @@ export const PART_WORDS = {
   strokes: (count: number) => (count === 1 ? '1 stroke' : `${count} strokes`),
   skels: (count: number) => (count === 0 ? 'shapes only' : count === 1 ? '1 skel' : `${count} skels`),
   triangles: (count: number) => `${thousands(count)} triangles`,
-  thin: (places: number) =>
-    `Hardly thicker than a cell in ${places === 1 ? '1 place' : `${places} places`}: pieces may be missing.`,
+  /** in a list, after what the part is */
+  flaw: { none: 'nothing to see', thin: 'thin', gaps: 'narrow gaps', cut: 'cut off' },
   hidden: 'hidden',
   hide: (name: string) => `Hide ${name}`,
   show: (name: string) => `Show ${name}`,

@@ -14,8 +14,9 @@ import { CreaseFans } from './creaseFans.ts';
 import { AMBIGUOUS, CubeLoops, type Loops, MOST_CROSSINGS, plainLoops } from './cubeLoops.ts';
 import { EdgePoint } from './edgePoint.ts';
 import { CORNERS, SIDE } from './hermite.ts';
-import { isolatedSpots } from './isolated.ts';
+import { isolatedSpots, type OneSided } from './isolated.ts';
 import { BRICK } from './lattice.ts';
+import { localField } from './local.ts';
 import { type LoopPoint, LoopPoints } from './loopPoints.ts';
 import { eachTriangle } from './loopTriangles.ts';
 import { meanNormals } from './meanNormals.ts';
@@ -56,8 +57,7 @@ export class BrickMesh {
   readonly #fans: CreaseFans;
   readonly #points: LoopPoints;
   readonly #unseen: ThinSpot[] = [];
-  /** places of bricks without a corner inside */
-  readonly #empty: number[] = [];
+  readonly #oneSided: OneSided = { empty: [], full: [] };
   #brick: Brick;
   #own: Float64Array = new Float64Array(CORNERS);
   #isKept = false;
@@ -91,8 +91,10 @@ export class BrickMesh {
       inside[c] = values[c]! > 0 ? 1 : 0;
       count += inside[c]!;
     }
-    if (count === 0) this.#lookBetween();
-    if (count === 0 || count === CORNERS) return false;
+    if (count === 0 || count === CORNERS) {
+      this.#lookBetween(count === 0 ? this.#oneSided.empty : this.#oneSided.full);
+      return false;
+    }
     this.#vertices.enter(brick, values, inside, isKept);
     return true;
   }
@@ -112,14 +114,15 @@ export class BrickMesh {
     this.#vertices.forget();
     this.#points.forget();
     const { positions, normals, colours, flat } = this.#store;
-    const alone = isolatedSpots(this.#values.whole, this.#bricks, this.#empty);
+    const alone = isolatedSpots(this.#values.whole, this.#bricks, this.#oneSided);
+    const seen = { positions, normals };
     const mesh = {
       positions: new Float32Array(positions),
       normals: new Float32Array(normals),
       uvs: new Float32Array((2 * positions.length) / 3),
       indices: new Uint32Array(this.#indices),
       colours: new Float32Array(colours),
-      thin: thinOf({ positions, normals }, this.#bricks.lattice, [...this.#unseen, ...alone]),
+      thin: thinOf(seen, this.#bricks.lattice, localField(this.#bricks), [...this.#unseen, ...alone]),
     };
     if (flat.length > 0) meanNormals(mesh, new Set(flat));
     return mesh;
@@ -135,10 +138,11 @@ export class BrickMesh {
     return i + nx * (j + ny * k);
   }
 
-  #lookBetween(): void {
+  /** `alike`: those that have all corners on one side, too. */
+  #lookBetween(alike: number[]): void {
     const missed = unseenIn(this.#brick, this.#own, this.#bricks.lattice, this.#values.whole);
     if (missed) this.#unseen.push(missed);
-    else this.#empty.push(this.#bricks.grid[this.#brickNumber()]!);
+    else alike.push(this.#bricks.grid[this.#brickNumber()]!);
   }
 
   /** The cube whose first corner is `c`. */

@@ -1,7 +1,7 @@
 /**
  * What no corner of the lattice comes near: groups of bricks that may hold surface, as far as is proven, but have no corner inside, and that no brick
  * with one touches. Most hold nothing. From some of their middles the field is followed upwards, to the ridge of what may be thinner
- * than any cell: steep kernels, bodies that a matrix has flattened.
+ * than any cell: steep kernels, bodies that a matrix has flattened. Holes in the midst of a body likewise, with all signs the other way round.
  */
 import { add3, length3, scale3, sub3 } from '../math/tuple.ts';
 import type { Vec3 } from '../math/vec.ts';
@@ -9,6 +9,7 @@ import { around, type Bricks } from './bricks.ts';
 import { BRICK } from './lattice.ts';
 import { type Crossed, surfacePoint } from './surfacePoint.ts';
 import { THIN, type ThinSpot } from './thinWalls.ts';
+import { turned } from './unseen.ts';
 
 /** groups that are looked into, and bricks of each */
 const GROUPS = 64;
@@ -22,8 +23,18 @@ const STEPS = 20;
 const value = new Float64Array(4);
 const beside = new Int32Array(27);
 
-/** `empty`: places in `active` of bricks without a corner inside. */
-export function isolatedSpots(whole: Crossed, bricks: Bricks, empty: readonly number[]): ThinSpot[] {
+/** Places in `active` of bricks without a corner inside, and of those without one outside. */
+export interface OneSided {
+  readonly empty: number[];
+  readonly full: number[];
+}
+
+export function isolatedSpots(whole: Crossed, bricks: Bricks, { empty, full }: OneSided): ThinSpot[] {
+  const gaps = spotsIn(turned(whole), bricks, full).map((spot) => ({ ...spot, isGap: true }));
+  return [...spotsIn(whole, bricks, empty), ...gaps];
+}
+
+function spotsIn(whole: Crossed, bricks: Bricks, empty: readonly number[]): ThinSpot[] {
   const open = new Set(empty);
   const spots: ThinSpot[] = [];
   let groups = 0;
@@ -113,5 +124,5 @@ function spotAt(field: Crossed, at: Vec3, way: Vec3, step: number): ThinSpot {
     const beyond = field.value(...end);
     return beyond > 0 ? null : surfacePoint(field, at, end, inside, beyond).at;
   });
-  return { at, thickness: p && q ? length3(sub3(p, q)) : step };
+  return { at, thickness: p && q ? length3(sub3(p, q)) : step, across: THIN, isGap: false };
 }

@@ -75,6 +75,25 @@ export function latticeOver(half: number, resolution: number): Lattice {
   return { origin: [first, first, first], step, counts: [cells + 1, cells + 1, cells + 1] };
 }
 
+/** 2⁻²³: of their size, how far neighbours of float32 are apart; 2⁻¹²⁶: the smallest; 2¹²⁷: nearly the largest */
+const APART = 1.1920929e-7;
+const SMALLEST = 1.1754944e-38;
+const LARGEST = 1.7e38;
+/** of those in a cell: with fewer vertices fall into one place */
+const FEWEST = 16;
+
+/** FieldError where the numbers of a mesh, float32, cannot tell the cells of a lattice apart: bodies far off for their size, or below all sizes. */
+export function checkTold({ origin, step, counts }: Lattice): void {
+  const ends = origin.map((first, axis) => Math.max(Math.abs(first), Math.abs(first + step * counts[axis]!)));
+  const far = Math.max(...ends);
+  const grain = Math.max(APART * far, SMALLEST);
+  if (far < LARGEST && step > FEWEST * grain) return;
+  const [cell, off, apart] = [step, far, grain].map((mm) => `${Number(mm.toPrecision(2))} mm`);
+  throw new FieldError(
+    `no mesh can hold it: its cells are ${cell}, but up to ${off} from the origin numbers of a mesh are ${apart} apart`,
+  );
+}
+
 const wholeBricks = (cells: number): number => BRICK * Math.ceil(cells / BRICK);
 
 function cellsOf(resolution: number): number {

@@ -6,6 +6,7 @@ import { BrickMesh, type FieldMesh } from './brickMesh.ts';
 import type { Bricks } from './bricks.ts';
 import { BrickValues } from './brickValues.ts';
 import { grownWhere } from './fitBox.ts';
+import { checkTold } from './lattice.ts';
 import { LiveField, type LiveStep } from './liveField.ts';
 import type { FieldNode } from './node.ts';
 import { ROUNDS } from './polygonize.ts';
@@ -64,7 +65,10 @@ export class LiveMesh {
     for (let round = 0; ; round++) {
       const made = yield* this.#meshing(step);
       const evaluations = before + made.evaluations;
-      if (!made.isCut || !within || round === ROUNDS) return { ...made, evaluations };
+      if (!made.isCut || !within || round === ROUNDS) {
+        if (made.mesh.indices.length > 0) checkTold(made.bricks.lattice);
+        return { ...made, evaluations };
+      }
       before = evaluations;
       // a body that leaves what was kept, or what was thought to hold it
       if (!step.isEdit) within = grownWhere(within, this.#state!.values.exits) ?? within;

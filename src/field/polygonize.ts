@@ -12,7 +12,7 @@ import { BrickMesh, type FieldMesh } from './brickMesh.ts';
 import { type Bricks, culling } from './bricks.ts';
 import { BrickValues } from './brickValues.ts';
 import { fitting, grownWhere } from './fitBox.ts';
-import { type Lattice, latticeAround, latticeOver } from './lattice.ts';
+import { checkTold, type Lattice, latticeAround, latticeOver } from './lattice.ts';
 import { type Near, Tally } from './near.ts';
 import type { TreeField } from './treeField.ts';
 
@@ -65,7 +65,7 @@ export interface Located extends Omit<Fitted, 'lattice'> {
 
 /**
  * `resolution` cells along the longest side of the body in `box`, which is fitted to the body, and grown where the body leaves
- * it. Without a box the body has no end, and is cut off at `PAGE`. FieldError for a box of no finite numbers.
+ * it. Without a box the body has no end, and is cut off at `PAGE`. FieldError for a box of no finite numbers, and for a mesh that float32 cannot hold.
  */
 export function* polygonizing(
   field: TreeField,
@@ -80,7 +80,10 @@ export function* polygonizing(
     const larger = within && round < ROUNDS ? grownWhere(within, exits) : null;
     const { bricks, tally } = located;
     const evaluations = before + tally.work;
-    if (!larger) return { mesh, lattice: bricks.lattice, evaluations, bricks };
+    if (!larger) {
+      if (mesh.indices.length > 0) checkTold(bricks.lattice);
+      return { mesh, lattice: bricks.lattice, evaluations, bricks };
+    }
     before = evaluations;
     within = larger;
   }

@@ -1,7 +1,7 @@
 /**
  * What passes between the corners of a lattice: in bricks of which no corner is inside, edges along which the values would rise above 0
  * before the next corner, as those behind say, and do not. Only there the field is asked, along its gradient: what is inside and, a
- * cell farther, outside again was missed.
+ * cell farther, outside again was missed. Gaps in bricks of which no corner is outside likewise, with all signs the other way round.
  */
 import { add3, length3, scale3 } from '../math/tuple.ts';
 import type { Vec3 } from '../math/vec.ts';
@@ -9,8 +9,8 @@ import type { Brick } from './bricks.ts';
 import { CORNERS, SIDE } from './hermite.ts';
 import { BRICK, type Lattice } from './lattice.ts';
 import type { Near } from './near.ts';
-import { surfacePoint } from './surfacePoint.ts';
-import { between, THIN, type ThinSpot } from './thinWalls.ts';
+import { type Crossed, surfacePoint } from './surfacePoint.ts';
+import { THIN, type ThinSpot, wallBetween } from './thinWalls.ts';
 
 /** Fields of thin skels rise the more the nearer they are. */
 const STEEPER = 1.5;
@@ -33,16 +33,32 @@ const EDGES: readonly (readonly [corner: number, next: number, behind: number])[
 
 const value = new Float64Array(4);
 
-/** A place in a brick, of which no corner is inside, with these values; null where nothing was missed. `whole`: the field by all skels. */
-export function unseenIn(
-  { i, j, k, near }: Brick,
-  values: Float64Array,
-  lattice: Lattice,
-  whole: Near,
-): ThinSpot | null {
-  const corner = suspect(values);
+/** A place in a brick, all of whose corners are on one side, with these values; null where nothing was missed. `whole`: the field by all skels. */
+export function unseenIn(brick: Brick, values: Float64Array, lattice: Lattice, whole: Near): ThinSpot | null {
+  const isGap = values[0]! > 0;
+  const corner = suspect(values, isGap ? -1 : 1);
   if (corner < 0) return null;
-  const { origin, step } = lattice;
+  const near = isGap ? turned(brick.near) : brick.near;
+  const spot = missed(corner, brick, near, isGap ? turned(whole) : whole, lattice);
+  return spot && { ...spot, isGap };
+}
+
+/** Its inside is the other's outside. */
+export const turned = (field: Crossed): Crossed => ({
+  value: (x, y, z) => -field.value(x, y, z),
+  evaluate: (x, y, z, out) => {
+    field.evaluate(x, y, z, out);
+    for (let i = 0; i < out.length; i++) out[i] = -out[i]!;
+  },
+});
+
+function missed(
+  corner: number,
+  { i, j, k }: Brick,
+  near: Crossed,
+  whole: Crossed,
+  { origin, step }: Lattice,
+): ThinSpot | null {
   const from: Vec3 = [
     origin[0] + (BRICK * i + (corner % SIDE)) * step,
     origin[1] + (BRICK * j + (Math.floor(corner / SIDE) % SIDE)) * step,
@@ -65,16 +81,16 @@ export function unseenIn(
   const p = surfacePoint(near, from, inside, first!, high);
   const q = surfacePoint(near, inside, beyond, high, low);
   if (!p.normal || !q.normal) return null;
-  return between({ positions: [...p.at, ...q.at], normals: [...p.normal, ...q.normal] }, 0, 1);
+  return wallBetween({ positions: [...p.at, ...q.at], normals: [...p.normal, ...q.normal] });
 }
 
 /** The corner from which the surface should be nearest, though it is not there; −1: none. */
-function suspect(values: Float64Array): number {
+function suspect(values: Float64Array, sign: 1 | -1): number {
   let [found, least] = [-1, 1];
   for (const [corner, next, behind] of EDGES) {
-    const [here, before] = [values[corner]!, values[behind]!];
+    const [here, before] = [sign * values[corner]!, sign * values[behind]!];
     const rise = STEEPER * (here - before);
-    if (!(here + rise > 0) || values[next]! > 0) continue;
+    if (!(here + rise > 0) || sign * values[next]! > 0) continue;
     const reach = -here / rise;
     if (reach < least) [found, least] = [corner, reach];
   }

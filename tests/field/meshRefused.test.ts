@@ -40,6 +40,27 @@ describe('an empty mesh', () => {
   });
 });
 
+describe('what the numbers of a mesh cannot hold is refused', () => {
+  test.each<readonly [string, FieldNode]>([
+    ['a ball of 10 mm, 1e9 mm off', placed(sphere(10), 1e9, 0, 0)],
+    ['a ball of 1e-300 mm', sphere(1e-300)],
+    ['a ball of 20 mm, 1e6 mm off', placed(sphere(20), 0, -1e6, 0)],
+  ])('%s', (_, node) => {
+    expect(() => made(node, 64)).toThrow(FieldError);
+    expect(() => made(node, 64)).toThrow(
+      /no mesh can hold it: its cells are .* mm, but up to .* mm from the origin/,
+    );
+  });
+
+  test.each([1e-30, 1e-6, 1, 1e6, 1e30])('a ball of %f mm is one', (radius) => {
+    expectSolid(made(sphere(radius), 16).mesh);
+  });
+
+  test('a ball of 20 mm, 10 m off, is one', () => {
+    expectSolid(made(placed(sphere(20), 1e4, 3, 2), 64).mesh);
+  });
+});
+
 describe('what is left', () => {
   test('a segment of no length adds nothing', () => {
     const [with_, without] = [body([...BONE, still]), body()].map((node) => made(node, 24).mesh);

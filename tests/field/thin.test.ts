@@ -46,7 +46,7 @@ describe('tilted plates, seed 11', () => {
   });
 });
 
-test.each([0.3, 0.6, 1, 1.3, 2])('a needle of %f cells, seed 12', (cells) => {
+test.each([0.3, 0.6, 1, 1.3, 2.3])('a needle of %f cells, seed 12', (cells) => {
   const next = random(12);
   for (let i = 0; i < 8; i++) {
     const normal = way(next);
@@ -54,10 +54,10 @@ test.each([0.3, 0.6, 1, 1.3, 2])('a needle of %f cells, seed 12', (cells) => {
     const needle = along(normal, shape({ type: 'capsule', half: 10, radius: (cells * step) / 2 }));
     const result = made(needle, CELLS);
     const isWhole = topology(result.mesh).components === 1;
-    if (cells > 1.6) expect([isWhole, result.mesh.thin]).toEqual([true, null]);
+    if (cells > 2) expect([isWhole, result.mesh.thin]).toEqual([true, null]);
     // in pieces it is told, and what is told is right
     else expect(isWhole || result.mesh.thin !== null).toBe(true);
-    if (result.mesh.thin) expect(cellsOf(result)! / cells).toBeCloseTo(1, 0.5);
+    if (!isWhole) expect(cellsOf(result)! / cells).toBeCloseTo(1, 0.5);
   }
 });
 
@@ -67,6 +67,7 @@ test('a shell of 0.8 cells, and one of two', () => {
   const cell = 20 / CELLS;
   expect(cellsOf(shell(0.8 * cell))).toBeCloseTo(0.8, 1);
   expect(shell(2 * cell).mesh.thin).toBeNull();
+  expect(shell(0.8 * cell).mesh.thin!.gaps).toBe(0);
 });
 
 test('two sheets are two places, a ball between them is none', () => {
@@ -189,6 +190,7 @@ describe('no alarm', () => {
       });
       return made(set('union', 'hard', ...parts), 48).mesh.thin;
     });
-    expect(alarms.filter((thin) => thin !== null)).toEqual([]);
+    // bodies that pass each other by less than a cell have gaps
+    expect(alarms.filter((thin) => thin && thin.places > thin.gaps)).toEqual([]);
   });
 });

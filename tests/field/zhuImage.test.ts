@@ -4,7 +4,7 @@ import { bindField } from '../../src/field/bind.ts';
 import { locating } from '../../src/field/polygonize.ts';
 import { NOWHERE, type RayCamera, type RayImage } from '../../src/field/rayImage.ts';
 import { emptyImage, SceneCaster } from '../../src/field/rayScene.ts';
-import { compared, comparing, zhuSum, ZhuBody } from '../../src/field/zhuImage.ts';
+import { compared, comparing, ZhuBody, zhuSum } from '../../src/field/zhuImage.ts';
 import { finished } from '../../src/math/finished.ts';
 import { UNMOVED } from '../../src/math/placement.ts';
 import { dot3 } from '../../src/math/tuple.ts';

@@ -92,8 +92,9 @@ function bar(progress: number | null): TemplateResult {
     aria-valuenow=${percent}><i style="width:${percent}%"></i></div>`;
 }
 
-function settled({ made, problem }: FieldBody): string {
+function settled({ made, problem, isPreparing }: FieldBody): string {
   if (problem) return made ? FIELD_WORDS.kept : FIELD_WORDS.none;
+  if (isPreparing) return FIELD_WORDS.preparing;
   return made && !made.draft ? FIELD_WORDS.body(made) : FIELD_WORDS.making;
 }
 

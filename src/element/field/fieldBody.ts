@@ -18,11 +18,16 @@ interface Wish {
   readonly onDevice: boolean;
 }
 
+/** ms that a device takes for a body when its programs are there, and more */
+const PATIENCE = 700;
+
 export class FieldBody {
   /** the last that was made */
   made: Shown | null = null;
   /** 0–1 of the step under way; null: nothing is being made */
   progress: number | null = null;
+  /** the graphics device has been at work so long that it must be at its programs, which are compiled for each make of bodies once */
+  isPreparing = false;
   /** why there is no body for the latest tree, in words */
   problem: string | null = null;
   readonly #changed: () => void;
@@ -30,6 +35,7 @@ export class FieldBody {
   #gpu: FieldOnGpu | null = null;
   #wish: Wish | null = null;
   #latest = 0;
+  #patience: ReturnType<typeof setTimeout> | undefined;
   /** ms, when the latest body was asked for */
   #since = 0;
   /** the device has what the worker handed over last */
@@ -49,6 +55,7 @@ export class FieldBody {
   /** The device for meshes on the GPU; null: there is none. What lies on the one before goes; without another the worker makes it. */
   set device(device: GPUDevice | null) {
     this.#gpu?.destroy();
+    this.#prepared();
     const isLost = this.#isOnDevice;
     if (isLost) this.made = null;
     this.#takeBack(() => {});
@@ -129,11 +136,25 @@ export class FieldBody {
         return;
       case 'bricks':
         // edits may follow
-        if (said.isKept || this.#isWelcome(said)) this.#gpu?.make(said);
+        if (said.isKept || this.#isWelcome(said)) this.#handOver(said);
         return;
       case 'made':
         if (this.#isWelcome(said)) this.#show(this.#shown(said), () => {});
     }
+  }
+
+  #handOver(bricks: Located): void {
+    this.#gpu?.make(bricks);
+    this.#patience ??= setTimeout(() => {
+      this.isPreparing = true;
+      this.#changed();
+    }, PATIENCE);
+  }
+
+  #prepared(): void {
+    clearTimeout(this.#patience);
+    this.#patience = undefined;
+    this.isPreparing = false;
   }
 
   /** Under a slider that is being dragged there is time for drafts only. The device and the worker may come in any order. */
@@ -161,8 +182,16 @@ export class FieldBody {
   }
 
   #hearDevice({ of, mesh, vertices, triangles, work, milliseconds, release }: MadeOnGpu): void {
+    this.#prepared();
     if (!this.#isWelcome(of)) {
       release();
+      return;
+    }
+    if (triangles === 0 && !of.draft && of.id === this.#latest) {
+      // only the CPU tells whether there is nothing, or only what is too thin
+      release();
+      this.#isHeld = false;
+      this.#ask(FIELD_WORDS.nothingOnDevice);
       return;
     }
     const { id, draft, lattice, workAVertex } = of;
@@ -176,6 +205,7 @@ export class FieldBody {
   }
 
   #fallBack({ id }: Located, error: unknown): void {
+    this.#prepared();
     this.#isHeld = false;
     if (id !== this.#latest) return;
     console.warn('The body comes from the CPU.', error);

@@ -193,8 +193,8 @@ export const CHOICES = {
   surface: {
     label: 'Seen',
     options: [
-      ['mesh', 'Triangles'],
-      ['exact', 'Rays'],
+      ['mesh', 'Mesh'],
+      ['exact', 'Exact'],
     ],
     default: 'mesh',
   },

@@ -10,6 +10,7 @@ const count = (value: number): string => {
 
 const rate = ({ evaluationsPerPixel, missed }: RayCount) =>
   `${evaluationsPerPixel < 10 ? evaluationsPerPixel.toFixed(1) : count(Math.round(evaluationsPerPixel))} evaluations a pixel, ${missed}`;
+const placesOf = (places: number): string => (places === 1 ? '1 place' : `${places} places`);
 
 export const FIELD_WORDS = {
   title: 'Field',
@@ -20,6 +21,7 @@ export const FIELD_WORDS = {
       ? 'All of it is thinner than the cells. More cells show it'
       : 'Nothing is inside. A lower T or a larger radius helps';
   },
+  preparing: 'Preparing the graphics card, which takes a while for each new kind of body',
   kept: 'Not made. The last body stays',
   none: 'Not made',
   facts: ({ triangles, vertices }: Shown) => `${count(triangles)} triangles · ${count(vertices)} vertices`,
@@ -28,14 +30,17 @@ export const FIELD_WORDS = {
     const time = Math.max(1, Math.round(milliseconds));
     return `${maker} · ${cells} cells · ${count(evaluations)} evaluations · mesh after ${time} ms`;
   },
-  thin: ({ places, least }: Thin) =>
-    `Hardly thicker than a cell in ${places === 1 ? '1 place' : `${places} places`} (${Number(least.toPrecision(2))} mm): finer cells show all of it`,
+  thin: ({ places, gaps, least }: Thin) =>
+    places > gaps
+      ? `Hardly thicker than a cell or two in ${placesOf(places - gaps)} (${Number(least.toPrecision(2))} mm): finer cells show all of it`
+      : `Gaps of a cell or less in ${placesOf(gaps)} (${Number(least.toPrecision(2))} mm): finer cells show whether they are open`,
   compared: ({ hits, zhu, bricks }: Comparison) =>
     `Zhu’s rays, ${rate(zhu)} of ${count(hits)} hits missed · by bricks ${rate(bricks)} missed`,
   /** `reason`: why it is not the graphics device */
   worker: (reason: string | null) => (reason === null ? 'CPU, worker' : `CPU, worker: ${reason}`),
   device: 'GPU, float32',
   deviceFailed: 'the graphics device could not make it',
+  nothingOnDevice: 'the graphics device found nothing',
   noDevice: 'there is no graphics device for it',
   webgl2: 'WebGL2, slower',
   loading: 'Preparing the picture',

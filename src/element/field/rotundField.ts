@@ -371,7 +371,7 @@ export class RotundField extends LitElement {
       <div class="stage" role="application" tabindex="0" aria-label=${FIELD_WORDS.label(made)} aria-describedby="keys">
         <canvas class="picture"></canvas>
       </div>
-      <span id="keys" class="hidden">Arrow keys turn, plus and minus zoom, Home shows everything, 0 goes back to the first view, 1 to 4 are styles, W shows the triangles, X casts rays, M shows bounding volumes.</span>
+      <span id="keys" class="hidden">Arrow keys turn, plus and minus zoom, Home shows everything, 0 goes back to the first view, 1 to 4 are styles, W shows the triangles, X shows the exact surface, M shows bounding volumes.</span>
       ${topBar(this)} ${dock(this)} ${statusLine(this)} ${viewBall(this.stage.view, this.#hands.ball())}
     </div>`;
   }
