@@ -91,8 +91,11 @@ class PowerChange implements RelativeChange {
     const low = Math.max(r, 0.5 * (root - by));
     const near = Math.max(high - by, 0);
     const after = core + near * near;
-    step.least = rootPower((core + low * low) / (core + (low + by) * (low + by)), power);
-    step.most = after > 0 ? rootPower((core + high * high) / after, power) : Infinity;
+    const fall = (core + low * low) / (core + (low + by) * (low + by));
+    const rise = (core + high * high) / after;
+    // powers here in so many words: calls would put their numbers on the heap
+    step.least = power === 4 ? fall * fall : rootPower(fall, power);
+    step.most = !(after > 0) ? Infinity : power === 4 ? rise * rise : rootPower(rise, power);
     const theta = by / Math.sqrt(core + r * r);
     step.bend = theta < 1 ? bend(theta, power) : Infinity;
     if (r * r < CLOSE * core) step.bend = Math.min(step.bend, by * by * this.#bent(r, by, power));
@@ -105,7 +108,8 @@ class PowerChange implements RelativeChange {
     for (let i = 1; i <= PIECES; i++) {
       const moved = (i / PIECES) * by;
       const high = Math.max(r, 0.5 * (Math.sqrt(moved * moved + 4 * core) + moved));
-      const grown = rootPower((core + high * high) / (core + (high - moved) * (high - moved)), n);
+      const rise = (core + high * high) / (core + (high - moved) * (high - moved));
+      const grown = n === 4 ? rise * rise : rootPower(rise, n);
       const left = Math.max(r - moved, 0);
       sum += (PIECES - i + 0.5) * grown * steepest(core, left * left, n);
     }
@@ -131,14 +135,16 @@ function steepest(core: number, r2: number, n: number): number {
 
 function bend(theta: number, n: number): number {
   const left = 1 - theta;
-  const grown = rootPower(1 / (left * left), n);
+  const i = 1 / (left * left);
+  const grown = n === 4 ? i * i : rootPower(i, n);
   if (theta < SMALL) return (0.5 * n * (n + 1) * theta * theta * grown) / (left * left);
   return grown - 1 - n * theta;
 }
 
 function cubic(theta: number, n: number): number {
   const left = 1 - theta;
-  const grown = rootPower(1 / (left * left), n);
+  const i = 1 / (left * left);
+  const grown = n === 4 ? i * i : rootPower(i, n);
   const third = (n * (n + 1) * (n + 2)) / 6;
   if (theta < SMALL_CUBE) return (third * theta * theta * theta * grown) / (left * left * left);
   return grown - 1 - n * theta * (1 + 0.5 * (n + 1) * theta);
