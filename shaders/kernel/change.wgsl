@@ -4,6 +4,8 @@
 // that float32 has no digits for; the margins that rounding takes are put on by who asks (skeleton/spread.wgsl).
 
 const MANY = 1e20;
+// r² up to which second derivatives are asked, too, in parts of the core
+const CLOSE = 6.0;
 
 // q^(−n/2) for any q above 0; without branches where n is whole and at most 7
 fn half_power(q: f32, n: f32) -> f32 {
@@ -49,6 +51,30 @@ fn power_rest(theta: f32, n: f32, first: u32) -> f32 {
   tail = 1.0 + (x.y + 3.0 * x.x) / 4.0 * tail;
   let cube = (x.y + 2.0 * x.x) / 3.0 * tail;
   return 0.5 * (x.y + x.x) * x.y * (cube + select(0.0, 1.0, first == 2u));
+}
+
+const BENT_PIECES = 4u;
+
+// What value and gradient leave out over a way of `by`, by second derivatives, in parts of the field at r; for r² up to CLOSE.
+fn power_bent(core: f32, n: f32, r: f32, by: f32) -> f32 {
+  var sum = 0.0;
+  for (var i = 1u; i <= BENT_PIECES; i++) {
+    let moved = by * f32(i) / f32(BENT_PIECES);
+    let high = max(r, 0.5 * (sqrt(moved * moved + 4.0 * core) + moved));
+    let grown = half_power((core + (high - moved) * (high - moved)) / (core + high * high), n);
+    let left = max(r - moved, 0.0);
+    sum += (f32(BENT_PIECES - i) + 0.5) * grown * power_steepest(core, left * left, n);
+  }
+  return sum * by * by / f32(BENT_PIECES * BENT_PIECES);
+}
+
+// The largest second derivative in any direction at that squared distance or farther, in parts of the kernel there.
+fn power_steepest(core: f32, r2: f32, n: f32) -> f32 {
+  let across = n / (core + r2);
+  if (r2 * (n + 1.0) < core * (n + 3.0)) {
+    return max(across, n * (n + 1.0) * (n + 1.0) / (4.0 * (n + 2.0) * core));
+  }
+  return across * max(1.0, ((n + 1.0) * r2 - core) / (core + r2));
 }
 
 // The most that first and second derivatives of the Gaussian come to over what is farther than `near`: of a point, a line, a plane.

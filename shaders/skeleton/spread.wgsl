@@ -120,6 +120,10 @@ fn power_spread(bound: Bound, look: Look, centre: vec4f, cap: f32) -> Spread {
   if (theta < 1.0) {
     bend = SAFE * power_rest(theta, bound.power, 2u) + MARGIN * bound.power * theta;
   }
+  if (look.r * look.r < CLOSE * bound.core) {
+    let bent = power_bent(bound.core, bound.power, look.r, look.by);
+    bend = min(bend, SAFE * bent + MARGIN * bound.power * theta);
+  }
   if (!look.is_clear || look.near < bound.least) {
     let is_beyond = bound.dimension == 1u && look.near > bound.least;
     bend = select(HUGE, bend, is_beyond);

@@ -6,6 +6,7 @@
  * Chosen over dual contouring, whose surfaces need repairs to be manifold, and over marching tetrahedra, which have more than
  * twice the triangles for the same field.
  */
+import { Growing } from '../math/growing.ts';
 import type { Mesh } from '../mesh/mesh.ts';
 import type { Brick, Bricks } from './bricks.ts';
 import { type BrickValues, CUT } from './brickValues.ts';
@@ -47,9 +48,9 @@ const RINGS = Array.from({ length: MOST_CROSSINGS + 1 }, (_, length) => Array.fr
 export class BrickMesh {
   readonly #values: BrickValues;
   readonly #bricks: Bricks;
-  readonly #store = new VertexStore();
+  readonly #store: VertexStore;
   readonly #vertices: BrickVertices;
-  readonly #indices: number[] = [];
+  readonly #indices = new Growing(Uint32Array);
   readonly #loops = new CubeLoops();
   readonly #eight = new Float64Array(8);
   readonly #inside = new Uint8Array(CORNERS);
@@ -66,6 +67,7 @@ export class BrickMesh {
   constructor(bricks: Bricks, values: BrickValues, tally: Tally, before: BrickMesh | null = null) {
     const { step } = bricks.lattice;
     this.#values = values;
+    this.#store = new VertexStore(values.isLive);
     this.#bricks = bricks;
     this.#brick = bricks.active[0]!;
     const earlier = before && { store: before.#store, lattice: before.#bricks.lattice };
@@ -113,15 +115,17 @@ export class BrickMesh {
     this.#fans.finish();
     this.#vertices.forget();
     this.#points.forget();
-    const { positions, normals, colours, flat } = this.#store;
+    const { flat } = this.#store;
+    const positions = this.#store.positions.numbers();
+    const normals = this.#store.normals.numbers();
     const alone = isolatedSpots(this.#values.whole, this.#bricks, this.#oneSided);
     const seen = { positions, normals };
     const mesh = {
       positions: new Float32Array(positions),
-      normals: new Float32Array(normals),
+      normals: normals.slice(),
       uvs: new Float32Array((2 * positions.length) / 3),
-      indices: new Uint32Array(this.#indices),
-      colours: new Float32Array(colours),
+      indices: this.#indices.numbers().slice(),
+      colours: this.#store.colours.numbers().slice(),
       thin: thinOf(seen, this.#bricks.lattice, localField(this.#bricks), [...this.#unseen, ...alone]),
     };
     if (flat.length > 0) meanNormals(mesh, new Set(flat));
@@ -189,7 +193,7 @@ export class BrickMesh {
   #fill(ring: readonly number[], c: number, loop: number, isTwisted: boolean): void {
     const { near } = this.#brick;
     if (near.branches === 1 && !isTwisted) {
-      eachTriangle(ring, null, this.#store.positions, this.#triangle);
+      eachTriangle(ring, null, this.#store.positions.array, this.#triangle);
       return;
     }
     const isSame = this.#isKept && this.#store.areTaken(ring);
@@ -204,7 +208,7 @@ export class BrickMesh {
     }
     const search = () => this.#middle(ring, c);
     const middle = isTwisted ? this.#points.remembered(key, 'middle', search) : null;
-    eachTriangle(ring, middle && this.#addMiddle(ring, middle), this.#store.positions, this.#triangle);
+    eachTriangle(ring, middle && this.#addMiddle(ring, middle), this.#store.positions.array, this.#triangle);
   }
 
   #addMiddle(ring: readonly number[], { at, normals }: LoopPoint): number {

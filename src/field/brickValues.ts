@@ -37,6 +37,8 @@ interface Filled {
   nodes: LeafNodes | null;
 }
 
+const FORGOTTEN: Filled = { values: new Float64Array(0), nodes: null };
+
 /** Values from before an edit, and which bricks they still hold for. */
 export interface Before {
   readonly values: BrickValues;
@@ -52,7 +54,7 @@ export class BrickValues {
   readonly #filled: Filled[] = [];
   readonly #around = new Int32Array(27);
   readonly #exact = new Map<number, number>();
-  /** bricks before it have forgotten their nodes */
+  /** bricks before it were forgotten */
   #forgotten = 0;
   /** whether the field is inside at each side of the lattice: −x, x, −y, y, −z, z */
   readonly exits = [false, false, false, false, false, false];
@@ -62,7 +64,7 @@ export class BrickValues {
   readonly #nodesBefore: (LeafNodes | null)[] = Array.from({ length: BEFORE }, () => null);
   #before: Before | null;
   readonly #hasGrown: boolean;
-  readonly #isLive: boolean;
+  readonly isLive: boolean;
 
   /** `before`: what may be taken over. `isLive`: nodes are kept for the next edit. */
   constructor(
@@ -73,7 +75,7 @@ export class BrickValues {
     isLive = before !== null,
   ) {
     this.#before = before;
-    this.#isLive = isLive;
+    this.isLive = isLive;
     this.#hasGrown = before !== null && before.values.#bricks.lattice !== bricks.lattice;
     this.whole = whole;
     this.#bricks = bricks;
@@ -220,10 +222,10 @@ export class BrickValues {
     });
   }
 
-  /** Nodes are taken over by the next layer of bricks only. */
+  /** Values and nodes are taken over by the next layer of bricks only. */
   #forget(k: number): void {
     const { active } = this.#bricks;
-    if (this.#isLive) return;
-    while (active[this.#forgotten]!.k < k - 1) this.#filled[this.#forgotten++]!.nodes = null;
+    if (this.isLive) return;
+    while (active[this.#forgotten]!.k < k - 1) this.#filled[this.#forgotten++] = FORGOTTEN;
   }
 }

@@ -7,7 +7,7 @@ import type { Vec3 } from '../math/vec.ts';
 import { FLOPS } from '../skeleton/work.ts';
 import type { Brick, Bricks } from './bricks.ts';
 import { CUT } from './brickValues.ts';
-import { CROSSING_FLOPS, cubicCrossing, EdgePoint } from './edgePoint.ts';
+import { CROSSING_FLOPS, cubicCrossing, EdgePoint, UNSURE } from './edgePoint.ts';
 import { CORNERS, SIDE } from './hermite.ts';
 import { BRICK, type Lattice, nodesBefore } from './lattice.ts';
 import type { Near, Tally } from './near.ts';
@@ -130,12 +130,21 @@ export class BrickVertices {
     const isSmooth =
       near.branches === 1 && point.newton(near, this.#crossing(c, axis)) && point.sharpen(this.#whole, near);
     if (!isSmooth) {
-      const end = c + AXES[axis]!;
-      point.search(near, a, this.at(end), this.#own[c]!, this.#own[end]!);
+      this.#searched(a, c, c + AXES[axis]!);
     }
     const { x, y, z } = point;
     const colour = near.plain ?? this.#colourAt([x, y, z]);
     return this.#store.add(point, colour, near.branch(x, y, z));
+  }
+
+  /** Along the edge between two corners, the first at `a`; by all skels where what the list misses moves the surface. */
+  #searched(a: Vec3, c: number, end: number): void {
+    const { near } = this.#brick;
+    const point = this.#point;
+    const [b, atA, atB] = [this.at(end), this.#own[c]!, this.#own[end]!];
+    point.search(near, a, b, atA, atB);
+    const { x, y, z } = point;
+    if (near.errorAt(x, y, z) > UNSURE * Math.abs(atA - atB)) point.search(this.#whole, a, b, atA, atB);
   }
 
   /** Where the cubic through four corners of the brick around an edge crosses it. */

@@ -12,7 +12,7 @@ const FARTHEST = 0.15;
 const CLOSE = 0.01;
 const STEPS = 3;
 /** cells that the error of a list may come to at the vertex; it is some times less. .03 took a tenth more work of a blob, and .1 missed by .015. */
-const UNSURE = 0.05;
+export const UNSURE = 0.05;
 /** of the way to the nearer end: less than a half, for edges that meet there */
 const BESIDE = 0.49;
 

@@ -93,7 +93,8 @@ export class LoopPoints {
 
   /** Whether a triangle of the fan would be seen from within: of blades too thin for the lattice the tip is behind the loop. */
   #isTurned(ring: readonly number[], branches: readonly number[], { at, normals }: LoopPoint): boolean {
-    const { positions, branches: all } = this.#store;
+    const { branches: all } = this.#store;
+    const positions = this.#store.positions.array;
     const from = (vertex: number): Vec3 => [
       positions[3 * vertex]! - at[0],
       positions[3 * vertex + 1]! - at[1],

@@ -12,7 +12,7 @@ type Triangle = (a: number, b: number, c: number) => void;
 export function eachTriangle(
   ring: readonly number[],
   middle: number | null,
-  positions: readonly number[],
+  positions: ArrayLike<number>,
   visit: Triangle,
 ): void {
   const n = ring.length;
@@ -24,7 +24,7 @@ export function eachTriangle(
   for (let i = 1; i < n - 1; i++) visit(ring[first]!, ring[(first + i) % n]!, ring[(first + i + 1) % n]!);
 }
 
-function shortestFan(ring: readonly number[], positions: readonly number[]): number {
+function shortestFan(ring: readonly number[], positions: ArrayLike<number>): number {
   let [best, least] = [0, Infinity];
   for (let first = 0; first < ring.length; first++) {
     let sum = 0;
@@ -36,7 +36,7 @@ function shortestFan(ring: readonly number[], positions: readonly number[]): num
   return best;
 }
 
-function squared(a: number, b: number, positions: readonly number[]): number {
+function squared(a: number, b: number, positions: ArrayLike<number>): number {
   const x = positions[3 * a]! - positions[3 * b]!;
   const y = positions[3 * a + 1]! - positions[3 * b + 1]!;
   const z = positions[3 * a + 2]! - positions[3 * b + 2]!;

@@ -123,7 +123,7 @@ export function* locating(
 }
 
 /** The mesh of all bricks, and whether it was cut off at each side of the lattice: −x, x, −y, y, −z, z. */
-export function* meshing({ whole, tally, bricks }: Located) {
+export function* meshing({ whole, tally, bricks }: Pick<Located, 'whole' | 'tally' | 'bricks'>) {
   const values = new BrickValues(whole, bricks, tally);
   const mesh = new BrickMesh(bricks, values, tally);
   for (const [place, brick] of bricks.active.entries()) {

@@ -74,7 +74,8 @@ export class GaussSources implements Sources {
     const errors = this.#errors;
     const { length } = this.#frame;
     const q = 1 / (this.#core + choice.near * choice.near);
-    const field = this.#most * length * rootPower(q, this.#exponent);
+    const n = this.#exponent;
+    const field = this.#most * length * (n === 4 ? q * q : rootPower(q, n));
     const enough = choice.enough / field;
     const x = length * Math.sqrt(q);
     // x^(2G − 2) and, where there is one, x^(2G − 3)
@@ -102,7 +103,8 @@ export class GaussSources implements Sources {
       const dy = y - points[i + 1]!;
       const dz = z - points[i + 2]!;
       const q = 1 / (core + per2 * (dx * dx + dy * dy + dz * dz));
-      const value = factor * points[i + 3]! * rootPower(q, n);
+      // here in so many words: a call would put its number on the heap
+      const value = factor * points[i + 3]! * (n === 4 ? q * q : rootPower(q, n));
       const first = -0.5 * n * q * value * per2;
       addSource(out, value, first, -(0.5 * n + 1) * q * first * per2, dx, dy, dz);
     }

@@ -87,21 +87,24 @@ export function timeGrowth(): void {
   const work = (name: 'tree16' | 'tree64' | 'tree178' | 'tree1024', cells: number) =>
     measured(sceneNode(name), cells);
   const rows = CELLS.filter((cells) => cells <= 128).map((cells) => {
-    const [few, some, more] = [work('tree16', cells), work('tree64', cells), work('tree178', cells)];
-    const larger = longest(work('tree1024', 16)) / longest(some);
-    const many = work('tree1024', Math.round(cells * larger));
+    const [few, some, several] = [work('tree16', cells), work('tree64', cells), work('tree178', cells)];
+    const more = Math.round(sizeOf(work('tree1024', 16), 16) / some.result.lattice.step);
+    const many = work('tree1024', more);
     const between = (a: Measured, b: Measured) => rounded(exponent(b.work / a.work, b.skels / a.skels), 2);
     return {
       cells,
       '16 → 64': between(few, some),
-      '64 → 178': between(some, more),
-      'with 1,024': Math.round(cells * larger),
+      '64 → 178': between(some, several),
+      'cells of 1,024': more,
       '64 → 1,024, equal density': between(some, many),
+      'bricks, so': exponent(bricksOf(many) / bricksOf(some), many.skels / some.skels).toFixed(2),
     };
   });
   console.log('\nExponents of work in k');
   console.table(rows);
 }
 
-/** mm, of the lattice */
-const longest = ({ result: { lattice } }: Measured) => lattice.step * Math.max(...lattice.counts);
+/** mm, the longest side of the body; lattices have air around it, and whole bricks */
+const sizeOf = ({ result: { lattice } }: Measured, cells: number) => lattice.step * cells;
+
+const bricksOf = ({ result: { bricks } }: Measured) => bricks.active.length;

@@ -98,6 +98,23 @@ describeGpu('kernels within a ball', () => {
     },
   );
 
+  it(`bend as in float64 close to where they are largest (${COUNT} cases, seed 113)`, async () => {
+    const lot = new Lot(113);
+    const all = lot.many(COUNT, () =>
+      [1, lot.one([1, 2, 4, 4.5, 6]), lot.between(0, 2.4), lot.between(0.01, 2)].map(Math.fround),
+    ) as [1, number, number, number][];
+    const bent = 'values[4u * i] = power_bent(one.x, one.y, one.z, one.w);';
+    const values = await run('power', bent, Float32Array.from(all.flat()));
+    const ratios = all.map(([core, n, r, by], i) => {
+      const step = Object.assign(new Step(), { r, by, near: Math.max(r - by, 0), exponent: n });
+      powerChange(core).factors(step);
+      return values[4 * i]! / step.bend;
+    });
+    // the generating function may say more
+    expect(Math.min(...ratios)).toBeGreaterThan(1 - 3 * CLOSE);
+    expect(ratios.filter((ratio) => ratio < 1 + 3 * CLOSE).length).toBeGreaterThan(COUNT / 2);
+  });
+
   it.each([
     ['gaussian', gaussian],
     ['quartic', quartic],
