@@ -1,8 +1,9 @@
-/** Who casts rays for the element: workers (rayWorker.ts), or a graphics device whose images stay on it. */
+/** Who casts rays for the element: workers (rayWorker.ts), or a graphics device whose images stay on it (deviceRays.ts); rays.ts chooses. */
 import type { FieldNode } from '../field/node.ts';
 import type { RayCamera } from '../field/rayImage.ts';
 import type { Placement } from '../math/placement.ts';
-import type { SurfaceImage } from '../scene/index.ts';
+import type { Scene, SurfaceImage } from '../scene/index.ts';
+import type { View } from '../stroke/stroke.ts';
 
 /** A body, and the item of the scene that is its mesh. */
 export interface ShownBody {
@@ -40,6 +41,15 @@ export interface CastListener {
 export interface Caster {
   /** What was wanted before is given up, and nothing more is told of it. */
   cast(bodies: readonly ShownBody[], camera: RayCamera, listener: CastListener): CastImages;
+  /**
+   * An image within so many ms, with as many rays as they allow, beside what is wanted; null: it takes longer. It holds until the next.
+   */
+  live?(
+    bodies: readonly ShownBody[],
+    view: View,
+    pixels: Scene['pixels'],
+    milliseconds: number,
+  ): SurfaceImage | null;
   /** Nothing is wanted for now. */
   stop(): void;
   /** Nothing was wanted for long: what can be made again goes. */

@@ -1,8 +1,9 @@
 /**
- * The exact surface of bodies in the picture. While anything moves their meshes are seen; where all rests rays are cast beside the page, and
- * their image takes the place of the meshes, then gets smoother edges. Any change gives it up at once.
+ * The exact surface of bodies in the picture. While anything moves their meshes are seen, or fewer rays where a graphics device casts them in time;
+ * where all rests rays are cast beside the page, and their image takes the place of the meshes, then gets smoother edges. Any change gives it up
+ * at once.
  *
- * The mesh is the reduced resolution: it is less than a pixel off, has smooth edges and is there at once; a coarse image of rays is none of
+ * The mesh is the workers' reduced resolution: it is less than a pixel off, has smooth edges and is there at once; a coarse image of rays is none of
  * these. So that nothing pops, no image weighs more than a third in the first picture: what is there of the first (bands from the middle outwards,
  * with a soft border, at most three times) shows as lightly as all of it will, and with the third the mesh is gone. Everything is cast anew where
  * one of several bodies moves: which pixels another body's shape or its absence leaves alone was not worth the care.
@@ -17,6 +18,8 @@ import { keyOf, RayWorker } from './rayWorker.ts';
 
 /** ms without a change until rays are cast, or until what was cast is shown again */
 const REST = 120;
+/** ms that rays may take of a frame of something that moves */
+const LIVE = 12;
 /** images after which nothing of the meshes is seen any more: fewer leave edges jagged */
 const ENOUGH = 3;
 /**
@@ -96,6 +99,13 @@ export class Exact {
     if (!this.#rested) return false;
     if (!this.#images) this.#begin(bodies, camera);
     return this.#refine(scene);
+  }
+
+  /** Draws a frame of something that moves by rays as well, where they are fast enough; false: it is to be drawn with meshes. */
+  live({ scene, bodies, view }: Omit<Seen, 'version'>): boolean {
+    if (bodies.length === 0 || this.#isBusy || this.problem !== null) return false;
+    const image = this.#caster.live?.(bodies, view, scene.pixels, LIVE);
+    return image ? scene.refine(image, { alone: true }) : false;
   }
 
   /** Nothing is wanted. */

@@ -74,6 +74,10 @@ export interface Near {
   look(ray: Ray, x: number, y: number, z: number, reach: number): number;
   /** How far from there on the value surely keeps its sign, mm. */
   clear(): number;
+  /** How far it is from there on at most until the sign changes, Infinity where that is not known; `clear`: what `clear` said. */
+  reached(clear: number): number;
+  /** How far from there to all sides the value surely keeps its sign, mm; 0 where that is not known. */
+  around(): number;
   /** Writes [low, high] of the values from there on over t mm, at most `reach`. */
   ahead(t: number, out: Float64Array): void;
   /** In a cube within this one, about (x, y, z) with edges of 2 `half`; surfaces may be off by `missed` mm, nearly. */

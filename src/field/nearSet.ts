@@ -150,6 +150,23 @@ export class NearSet implements Near {
     return isAbove ? Math.max(...ways) : Math.min(...ways);
   }
 
+  /** Where the first of what is below 0 is above, or what alone is above is below while the others stay there. */
+  reached(clear: number): number {
+    if (!this.#operation.isExtreme) return Infinity;
+    const above = this.#parts.filter((_, i) => this.#seen[i]! > 0);
+    if (above.length === 0) return Math.min(...this.#parts.map((part) => part.reached(clear)));
+    if (above.length > 1) return Infinity;
+    const reached = above[0]!.reached(clear);
+    return this.#parts.every((part) => part === above[0] || part.clear() > reached) ? reached : Infinity;
+  }
+
+  around(): number {
+    if (!this.#operation.isExtreme) return 0;
+    const isAbove = this.#seen.some((value) => value > 0);
+    const ways = this.#parts.map((part, i) => (isAbove === this.#seen[i]! > 0 ? part.around() : 0));
+    return isAbove ? Math.max(...ways) : Math.min(...ways);
+  }
+
   ahead(t: number, out: Float64Array): void {
     this.#combine((part) => {
       part.ahead(t, partRange);

@@ -47,6 +47,7 @@ const range = new Float64Array(2);
 const AHEAD: Ray = [1, 0, 0];
 /** of a distance: the cube around so much of a ray mostly holds no surface */
 const NEARER = 0.7;
+const SHORTEST = 0.1;
 
 class NearShape implements Near {
   readonly low: number;
@@ -139,6 +140,20 @@ class NearShape implements Near {
   clear(): number {
     const { at, ray, first } = this.#whole.sight;
     return clearAlong(this.#range, at, ray, first);
+  }
+
+  reached(): number {
+    return Infinity;
+  }
+
+  /** The ball in the largest cube that is tried. */
+  around(): number {
+    const { at, first } = this.#whole.sight;
+    for (let half = first; half > SHORTEST * first; half *= 0.5) {
+      this.#range(at[0]!, at[1]!, at[2]!, half, range);
+      if (range[0]! > 0 || range[1]! < 0) return half;
+    }
+    return 0;
   }
 
   ahead(t: number, out: Float64Array): void {

@@ -171,6 +171,14 @@ class NearSum implements Near {
     return this.#whole.sight.clear(this);
   }
 
+  reached(clear: number): number {
+    return this.#whole.sight.reached(clear);
+  }
+
+  around(): number {
+    return this.#whole.sight.around(this.#list);
+  }
+
   ahead(t: number, out: Float64Array): void {
     this.#whole.sight.range(this, t, out);
   }

@@ -7,6 +7,8 @@ import { type Ahead, known, looseness } from '../skeleton/ahead.ts';
 
 /** how often the distance is bettered; each is some additions and a power */
 const ROUNDS = 4;
+/** of what is surely clear: how far beyond 0 is looked for */
+const SEEN = 4;
 
 export class RayAhead {
   value = 0.5;
@@ -43,15 +45,18 @@ export class RayAhead {
 
   /** mm along the ray over which the value surely is on this side of 0. */
   clear(): number {
-    const depth = Math.abs(this.value);
     // towards 0 is positive
-    const [slope, curve] = this.value > 0 ? [-this.slope, -this.curve] : [this.slope, this.curve];
-    const until = (t: number) => root(depth, slope, curve + this.#loose(t));
+    const side = this.value > 0 ? -1 : 1;
+    return this.#until(Math.abs(this.value), side * this.slope, side * this.curve);
+  }
+
+  /** The least t at which slope and bend might come to `depth`. */
+  #until(depth: number, slope: number, curve: number): number {
     let high = this.known;
-    let low = Math.min(until(high), high);
+    let low = Math.min(root(depth, slope, curve + this.#loose(high)), high);
     for (let i = 0; i < ROUNDS && low < high; i++) {
       const middle = Math.sqrt(low * high);
-      const reached = until(middle);
+      const reached = root(depth, slope, curve + this.#loose(middle));
       if (reached >= middle) low = middle;
       else {
         high = middle;
@@ -59,6 +64,20 @@ export class RayAhead {
       }
     }
     return low;
+  }
+
+  /** mm along the ray up to which 0 surely is reached; Infinity where that is not known. `clear`: what `clear` said. */
+  reached(clear: number): number {
+    const within = Math.min(this.known, SEEN * clear);
+    const side = this.value > 0 ? -1 : 1;
+    const slope = side * this.slope;
+    const found = root(Math.abs(this.value), slope, side * this.curve - this.#loose(within));
+    return found <= within ? found : Infinity;
+  }
+
+  /** mm to all sides within which the value surely is on this side of 0; `slope`, `curve`: bounds on those to any side. */
+  around(slope: number, curve: number): number {
+    return this.#until(Math.abs(this.value), slope, curve);
   }
 
   #loose(t: number): number {

@@ -2,14 +2,15 @@
  * Several bodies, each where it was put, in one image of rays: in each pixel the nearest. A body is only asked where it may be seen: in the
  * part of the picture that its lattice covers, and before what is already there.
  */
-import type { Placement } from '../math/placement.ts';
+import { type Placement, UNMOVED } from '../math/placement.ts';
 import { dot3, rotate3, sub3, unrotate3 } from '../math/tuple.ts';
 import type { Quat, Vec3 } from '../math/vec.ts';
 import { project } from '../stroke/plane.ts';
 import type { View } from '../stroke/stroke.ts';
+import type { Lattice } from './lattice.ts';
 import type { Located } from './polygonize.ts';
 import { type Ray, Raycaster } from './raycast.ts';
-import { back, NOWHERE, type RayCamera, type RayImage, rayOf } from './rayImage.ts';
+import { back, NOWHERE, PASSED, type RayCamera, type RayImage, rayOf } from './rayImage.ts';
 
 /** A body in the model. */
 export interface Standing {
@@ -18,7 +19,7 @@ export interface Standing {
 }
 
 /** Pixels, from … to below …. */
-interface Frame {
+export interface Frame {
   readonly left: number;
   readonly right: number;
   readonly top: number;
@@ -71,6 +72,17 @@ export class SceneCaster {
   }
 }
 
+/** One body where it was made, with all rays; yields what share is done. The work is in the tally of what was located. Twin of shaders/raycast. */
+export function* raycasting(located: Standing['located'], camera: RayCamera): Generator<number, OwnImage> {
+  const image = emptyImage(camera);
+  const caster = new SceneCaster([{ located, placement: UNMOVED }], camera);
+  for (let y = 0; y < camera.height; y++) {
+    caster.row(image, y);
+    yield (y + 1) / camera.height;
+  }
+  return image;
+}
+
 class BodyCaster {
   readonly frame: Frame;
   readonly #caster: Raycaster;
@@ -86,14 +98,17 @@ class BodyCaster {
     this.#rotation = placement.rotation;
     this.#back = back(this.#camera.view);
     this.#number = number;
-    this.frame = frameOf(located, this.#camera);
+    this.frame = frameOf(located.bricks.lattice, this.#camera);
   }
 
   /** Writes what is nearer than what is there. */
   cast({ surface, colours }: RayImage, at: number, x: number, y: number): void {
     const ray = rayOf(this.#camera, x, y);
     const caster = this.#caster;
-    if (!caster.cast(ray, this.#reach(ray, surface[at + 3]!))) return;
+    if (!caster.cast(ray, this.#reach(ray, surface[at + 3]!))) {
+      if (caster.passed && surface[at + 3] === NOWHERE) colours[at] = PASSED;
+      return;
+    }
     const { normal, colour, at: place } = caster.hit;
     const before = dot3(sub3(place, this.#camera.view.pivot), this.#back);
     if (before <= surface[at + 3]!) return;
@@ -127,10 +142,9 @@ const times = ([ax, ay, az, aw]: Quat, [bx, by, bz, bw]: Quat): Quat => [
   aw * bw - ax * bx - ay * by - az * bz,
 ];
 
-/** All of the picture where a corner of the lattice is behind the eye. */
-function frameOf({ bricks }: Standing['located'], camera: RayCamera): Frame {
+/** Where a lattice may be seen: all of the picture where a corner of it is behind the eye. */
+export function frameOf({ origin, counts, step }: Lattice, camera: RayCamera): Frame {
   const { width, height } = camera;
-  const { origin, counts, step } = bricks.lattice;
   const corners = [0, 1, 2, 3, 4, 5, 6, 7].map((corner): Vec3 => {
     const side = (axis: 0 | 1 | 2) => origin[axis] + ((corner >> axis) & 1) * (counts[axis] - 1) * step;
     return [side(0), side(1), side(2)];

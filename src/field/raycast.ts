@@ -1,6 +1,7 @@
 /**
- * Rays onto the surface of a field itself: through bricks (bricks.ts), in each by its near list, in steps that surely do not go through a surface
- * (rayAhead.ts). Where such steps have become shorter than a part of a pixel the sign decides, and what lies between is narrowed down.
+ * Rays onto the surface of a field itself: through bricks (bricks.ts), in each through balls that surely hold none (rayBalls.ts), then by its
+ * near list, in steps that surely do not go through one (rayAhead.ts). Once it is sure where the sign has changed at the latest, or where
+ * steps have become shorter than a part of a pixel and the sign decides, what lies between is narrowed down.
  *
  * Theory: Zhu et al. §4.2 step by half the radius of bounding volumes, and step back where the slope has turned (zhuMarch.ts); a surface
  * may be passed. Here the first hit is the first but for what is thinner along the ray than `FINEST` of a pixel.
@@ -9,18 +10,27 @@ import type { Vec3 } from '../math/vec.ts';
 import { INSIDE, OUTSIDE } from './bricks.ts';
 import type { Near, Tally } from './near.ts';
 import type { Located } from './polygonize.ts';
+import { type BrickBalls, ballsIn, type RayBalls } from './rayBalls.ts';
 import { RayWalk, type Walked, walked } from './rayWalk.ts';
 
 /** of a pixel: shorter steps are none */
 const FINEST = 1 / 64;
 /** evaluations between the last two places; mostly one is enough */
 const NARROWINGS = 40;
-/** of what is left between them, and of the lattice: a step of Newton's as short leaves nothing to be seen */
-const CLOSE = 1e-5;
+/** of a pixel: after a step of Newton's as short nothing is left to be seen */
+const CLOSE = 1e-6;
+/** of a pixel: a ray that passes a surface so near may have passed what is thinner than a pixel */
+const BESIDE = 0.5;
+/** pixels: where the surface is not reached for longer, it is not so near */
+const AHEAD = 8;
+/** shortest steps: what is surely free for longer is not yet worth a look for the place where it ends */
+const FAR = 16;
 /** of the longest side of the lattice: what near lists miss may move the hit along the ray so far before all skels are asked */
 const MISSED = 3e-4;
 /** steps with all skels */
 const POLISHES = 3;
+/** of the longest side: a shorter one is the last */
+const POLISHED = 1e-5;
 
 export interface Ray {
   readonly from: Vec3;
@@ -53,12 +63,16 @@ export class Raycaster {
   readonly #size: number;
   #ray: Ray = { from: [0, 0, 0], along: [1, 0, 0], nearest: 0, pixel: 1, growth: 0 };
   readonly hit = new Hit();
+  /** whether the last ray passed a surface by less than `BESIDE` before it met one, if it did */
+  passed = false;
+  readonly #balls: BrickBalls;
 
   constructor({ whole, tally, bricks }: Pick<Located, 'whole' | 'tally' | 'bricks'>) {
     this.#whole = whole;
     this.#tally = tally;
     this.#walked = walked(bricks);
     this.#walk = new RayWalk(this.#walked);
+    this.#balls = ballsIn(bricks);
     const { counts, step } = bricks.lattice;
     this.#size = (Math.max(...counts) - 1) * step;
   }
@@ -71,6 +85,7 @@ export class Raycaster {
   /** Whether the ray meets the surface within `farthest` mm, in which case `hit` says where. */
   cast(ray: Ray, farthest = Infinity): boolean {
     this.#ray = ray;
+    this.passed = false;
     const walk = this.#walk;
     if (!walk.begin(ray.from, ray.along, ray.nearest, farthest)) return false;
     const { active } = this.#walked.bricks;
@@ -90,27 +105,68 @@ export class Raycaster {
   #through(near: Near, isInside: boolean): boolean {
     const { start, stop } = this.#walk;
     const { pixel, growth, along } = this.#ray;
-    let before = start;
+    const balls = this.#balls.of(this.#walk.state);
+    let before = -Infinity;
     let atBefore = 0;
     for (let t = start; ; ) {
+      const finest = FINEST * (pixel + growth * t);
+      const free = this.#free(balls, t, stop, isInside, FAR * finest);
+      if (free > t) {
+        if (free >= stop) return false;
+        // nothing is known of the surface from before a ball
+        before = -Infinity;
+      }
+      t = free;
       const [x, y, z] = this.#place(t);
       const value = near.look(along, x, y, z, stop - t);
       if (value > 0 !== isInside) {
-        return t > before ? this.#between(near, before, t, atBefore, value) : this.#border();
+        if (before === -Infinity) return this.#border(t);
+        return this.#between(
+          near,
+          before,
+          t,
+          before + ((t - before) * atBefore) / (atBefore - value),
+          isInside,
+        );
       }
+      const clear = near.clear();
+      if (t + clear < stop && clear < FAR * finest) {
+        const reached = near.reached(clear);
+        if (t + reached <= stop) {
+          return this.#between(near, t + clear, t + reached, t + 0.5 * (clear + reached), isInside);
+        }
+      }
+      if (!this.passed) this.passed = this.#isBeside(near, clear, pixel + growth * t);
+      if (t + clear >= stop) return false;
       before = t;
       atBefore = value;
-      const clear = near.clear();
-      if (t + clear >= stop) return false;
-      t = Math.min(t + Math.max(clear, FINEST * (pixel + growth * t)), stop);
+      t = Math.min(t + Math.max(clear, finest), stop);
       if (!(t > before)) return false;
     }
   }
 
+  /** Whether the surface is so near that a thin body might be missed; `clear`: of the last look. */
+  #isBeside(near: Near, clear: number, pixel: number): boolean {
+    if (clear > AHEAD * pixel) return false;
+    return (near.around() || clear) < BESIDE * pixel;
+  }
+
+  /** Where the balls of the brick leave the ray that comes in at `t`; they are asked until they help on by less than `least` mm. */
+  #free(balls: RayBalls, t: number, stop: number, isInside: boolean, least: number): number {
+    const { along, pixel, growth } = this.#ray;
+    for (let at = t; ; ) {
+      const [x, y, z] = this.#place(at);
+      const free = balls.clear(along, x, y, z, isInside, BESIDE * (pixel + growth * at));
+      if (!(free > least)) return at;
+      at += free;
+      if (at >= stop) return stop;
+    }
+  }
+
   /** Where the ray comes into the body at the border of the lattice, or bricks that miss a little disagree about their border. */
-  #border(): true {
+  #border(t = this.#walk.start): true {
     const { hit } = this;
-    this.#put(this.#walk.start);
+    this.#put(t);
     const { entered: axis, entry } = this.#walk;
     this.#whole.evaluate(...hit.at, value);
     this.#normal();
@@ -122,10 +178,10 @@ export class Raycaster {
     return true;
   }
 
-  /** The hit between two places of the ray with values of different signs. */
-  #between(near: Near, before: number, after: number, atBefore: number, atAfter: number): true {
+  /** The hit between two places of the ray of which the second is beyond the surface; `t`: where it is likely. */
+  #between(near: Near, before: number, after: number, t: number, isInside: boolean): true {
     const { hit } = this;
-    this.#narrow(near, before, after, atBefore, atAfter);
+    this.#narrow(near, before, after, t, isInside);
     this.#polish(near);
     this.#normal();
     if (near.plain) hit.colour.set(near.plain);
@@ -133,21 +189,21 @@ export class Raycaster {
     return true;
   }
 
-  /** A secant, then Newton's steps, or halves where these leave what is left. Leaves value and gradient as well. */
-  #narrow(near: Near, before: number, after: number, atBefore: number, atAfter: number): void {
+  /** Newton's steps, or halves where these leave what is left. Leaves value and gradient as well. */
+  #narrow(near: Near, before: number, after: number, first: number, isInside: boolean): void {
     const { hit } = this;
-    const close = CLOSE * (after - before);
-    let [low, high] = [before, after];
-    let t = low + ((high - low) * atBefore) / (atBefore - atAfter);
+    const { pixel, growth } = this.#ray;
+    const close = CLOSE * (pixel + growth * first);
+    let [low, high, t] = [before, after, first];
     for (let i = 0; i < NARROWINGS; i++) {
       this.#put(t);
       near.evaluate(...hit.at, value);
       const step = -value[0]! / this.#slope();
       if (Math.abs(step) <= close) {
-        hit.t += step;
+        this.#put(t + step);
         return;
       }
-      if (value[0]! > 0 === atBefore > 0) low = t;
+      if (value[0]! > 0 === isInside) low = t;
       else high = t;
       t = t + step > low && t + step < high ? t + step : 0.5 * (low + high);
     }
@@ -157,7 +213,8 @@ export class Raycaster {
   #polish(near: Near): void {
     const { hit } = this;
     const slope = Math.abs(this.#slope());
-    if (near.error <= MISSED * this.#size * slope) return;
+    const enough = MISSED * this.#size * slope;
+    if (near.error <= enough || near.errorAt(...hit.at) <= enough) return;
     // a ray that only just touches the body may pass by all of it
     const most = (2 * near.error) / slope;
     for (let i = 0; i < POLISHES; i++) {
@@ -166,7 +223,7 @@ export class Raycaster {
       const step = -value[0]! / this.#slope();
       if (!(Math.abs(step) <= most)) return;
       hit.t += step;
-      if (Math.abs(step) < CLOSE * this.#size) break;
+      if (Math.abs(step) < POLISHED * this.#size) break;
     }
     this.#put(hit.t);
   }

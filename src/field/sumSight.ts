@@ -36,9 +36,13 @@ export class SumSight {
     const along = this.#along;
     const { ahead } = along;
     this.#ray = ray;
-    this.#at.set([x, y, z]);
+    this.#at[0] = x;
+    this.#at[1] = y;
+    this.#at[2] = z;
     frame?.enter(x, y, z);
-    const [px, py, pz] = frame ? [frame.x, frame.y, frame.z] : [x, y, z];
+    const px = frame ? frame.x : x;
+    const py = frame ? frame.y : y;
+    const pz = frame ? frame.z : z;
     const [dx, dy, dz] = frame ? frame.along(ray) : ray;
     const scale = frame?.scale ?? 1;
     along.stretch = frame ? Math.sqrt(dx * dx + dy * dy + dz * dz) : 1;
@@ -46,7 +50,7 @@ export class SumSight {
     clearAhead(ahead);
     evaluateTaylor(taylor, px - centre[0], py - centre[1], pz - centre[2], ahead);
     ball.set(px, py, pz, reach * along.stretch);
-    for (const { field, factor } of terms) field.ahead(ball, factor, ahead);
+    for (let i = 0; i < terms.length; i++) terms[i]!.field.ahead(ball, terms[i]!.factor, ahead);
     this.#tally.work += (WITH_GRADIENT + TEST) * terms.length;
     along.value = scale * ahead[0]!;
     along.slope = scale * (ahead[1]! * dx + ahead[2]! * dy + ahead[3]! * dz);
@@ -58,6 +62,23 @@ export class SumSight {
   clear(near: Near): number {
     const along = this.#along;
     return along.known > 0 ? along.clear() : clearAlong(rangeOf(near), this.#at, this.#ray, along.reach);
+  }
+
+  reached(clear: number): number {
+    const along = this.#along;
+    return along.known > 0 ? along.reached(clear) : Infinity;
+  }
+
+  around({ far: { taylor } }: NearList): number {
+    const along = this.#along;
+    if (!(along.known > 0)) return 0;
+    const { ahead, scale } = along;
+    const stretch = this.#frame?.reach(1) ?? 1;
+    // the ray was told of what it meets, in its own direction
+    along.reach *= along.stretch / stretch;
+    along.stretch = stretch;
+    const slope = Math.sqrt(ahead[1]! * ahead[1]! + ahead[2]! * ahead[2]! + ahead[3]! * ahead[3]!);
+    return along.around(scale * stretch * slope, scale * stretch * stretch * most(taylor));
   }
 
   range(near: Near, t: number, out: Float64Array): void {
@@ -72,6 +93,12 @@ const rangeOf = (near: Near) => (x: number, y: number, z: number, half: number, 
   out[0] = low;
   out[1] = high;
 };
+
+/** The same to any side, at most. */
+function most(c: Taylor): number {
+  const square = (i: number) => c[i]! * c[i]!;
+  return Math.sqrt(square(4) + square(5) + square(6) + 0.5 * (square(7) + square(8) + square(9)));
+}
 
 /** Half the second derivative of a polynomial. */
 function curve(c: Taylor, x: number, y: number, z: number): number {

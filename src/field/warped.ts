@@ -2,7 +2,19 @@
 
 import { scale3 as scaled } from '../math/tuple.ts';
 import type { Vec3 } from '../math/vec.ts';
-import { AHEAD, type Ahead, BEND, clearAhead, LOOSE, POWER, WIDTH } from '../skeleton/ahead.ts';
+import {
+  AHEAD,
+  type Ahead,
+  BEND,
+  clearAhead,
+  FIRST,
+  LIMIT,
+  LOOSE,
+  MASS,
+  POWER,
+  SECOND,
+  WIDTH,
+} from '../skeleton/ahead.ts';
 import { Ball } from '../skeleton/ball.ts';
 import { type Box, type FieldValue, type SkelField, SPREAD, type Spread } from '../skeleton/skeleton.ts';
 import { addMapped, TAYLOR, type Taylor } from '../skeleton/taylor.ts';
@@ -114,6 +126,7 @@ export class Warped implements SkelField {
     const by = this.#steepest() + (seen.bend > 0 ? seen.bend / reach : 0);
     if (!(reach > 0 && by < Infinity)) {
       out[WIDTH] = 0;
+      out[LIMIT] = 0;
       return;
     }
     const local = this.#ahead;
@@ -125,6 +138,13 @@ export class Warped implements SkelField {
     out[BEND] = out[BEND]! + local[BEND]! * by * by + (2 * across * seen.bend) / (reach * reach);
     out[WIDTH] = Math.min(out[WIDTH]!, local[WIDTH]! / by, reach < along ? reach : Infinity);
     if (local[LOOSE]! > 0) out[POWER] = local[POWER]!;
+    // how fast places move anywhere on the way, not on average
+    const most = by + (seen.bend > 0 ? seen.bend / reach : 0);
+    const turned = seen.bend > 0 ? (2 * seen.bend * local[FIRST]!) / (reach * reach) : 0;
+    out[MASS] = out[MASS]! + local[MASS]!;
+    out[FIRST] = Math.max(out[FIRST]!, most * local[FIRST]!);
+    out[SECOND] = Math.max(out[SECOND]!, most * most * local[SECOND]! + turned);
+    out[LIMIT] = Math.min(out[LIMIT]!, reach < along ? reach : Infinity);
   }
 
   /** How far the map stretches at the place seen, at most. */

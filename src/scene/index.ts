@@ -50,6 +50,8 @@ export interface Scene {
    */
   sync(items: readonly SceneItem[]): void;
   setLook(look: Look): void;
+  /** Lines over the picture on the screen, six numbers each, mm; compared by reference. Null: none. */
+  guide(ends: Float32Array | null): void;
   /** CSS pixels, and device pixels a CSS pixel */
   resize(width: number, height: number, devicePixelRatio: number): void;
   /** CSS pixels from the upper left; previews too, the id tells; items with the ids of `except` are looked through */
@@ -149,6 +151,7 @@ function makeScene(made: SceneRenderer, options: SceneOptions): Scene {
       if (pipeline.parts.sync(items)) rig.setBounds(pipeline.parts.ball);
     },
     setLook: (look) => pipeline.setLook(look),
+    guide: (ends) => pipeline.guide(ends),
     resize(newWidth, newHeight, devicePixelRatio) {
       width = newWidth;
       height = newHeight;

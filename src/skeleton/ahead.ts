@@ -8,15 +8,23 @@
  * these are Newton's.
  */
 import { halfPower } from '../kernel/halfPower.ts';
+import { exp } from '../math/exp.ts';
 
-/** [value, ∂x, ∂y, ∂z, Σ|F|/M² (1/mm²), least M (mm), bound on second derivatives (1/mm²), n]; mutable: skels add to it. */
+/**
+ * [value, ∂x, ∂y, ∂z, Σ|F|/M² (1/mm²), least M (mm), bound on second derivatives (1/mm²), n, Σ|F|, and in parts of that the largest that
+ * first and second derivatives come to anywhere (1/mm, 1/mm²; Infinity: not known), mm up to which all holds]; mutable: skels add to it.
+ */
 export type Ahead = Float64Array;
 
-export const AHEAD = 8;
+export const AHEAD = 12;
 export const LOOSE = 4;
 export const WIDTH = 5;
 export const BEND = 6;
 export const POWER = 7;
+export const MASS = 8;
+export const FIRST = 9;
+export const SECOND = 10;
+export const LIMIT = 11;
 
 /** θ up to which the bound is used */
 const MOST = 0.9;
@@ -27,16 +35,21 @@ export function clearAhead(out: Ahead): void {
   out.fill(0);
   out[WIDTH] = Infinity;
   out[POWER] = 4;
+  out[LIMIT] = Infinity;
 }
 
 /** How far the bound holds, mm. */
-export const known = (ahead: Ahead): number => MOST * ahead[WIDTH]!;
+export const known = (ahead: Ahead): number =>
+  ahead[SECOND]! < Infinity ? ahead[LIMIT]! : Math.min(ahead[LIMIT]!, MOST * ahead[WIDTH]!);
 
 /** What value and gradient leave out over t ≤ `known`, at most, for each square millimetre of t². */
 export function looseness(ahead: Ahead, t: number): number {
   const bend = 0.5 * ahead[BEND]!;
   const loose = ahead[LOOSE]!;
-  return loose > 0 ? bend + loose * relative(t / ahead[WIDTH]!, ahead[POWER]!) : bend;
+  if (!(loose > 0)) return bend;
+  const smooth = 0.5 * ahead[SECOND]! * ahead[MASS]! * exp(ahead[FIRST]! * t);
+  const theta = t / ahead[WIDTH]!;
+  return bend + (theta < MOST ? Math.min(smooth, loose * relative(theta, ahead[POWER]!)) : smooth);
 }
 
 /** ((1 − θ)⁻ⁿ − 1 − nθ)/θ² */

@@ -10,7 +10,8 @@ import { type AbsoluteChange, type RelativeChange, Step } from '../kernel/change
 import { halfPower } from '../kernel/halfPower.ts';
 import type { Kernel } from '../kernel/kernel.ts';
 import { mostOfLine, mostOfPlate, mostOfPower } from '../kernel/most.ts';
-import { type Ahead, BEND, LOOSE, POWER, WIDTH } from './ahead.ts';
+import { type Smooth, smoothness } from '../kernel/smooth.ts';
+import { type Ahead, BEND, FIRST, LOOSE, MASS, POWER, SECOND, WIDTH } from './ahead.ts';
 import type { Ball } from './ball.ts';
 import { Choice, type Sources } from './gaussSources.ts';
 import { type Extent, type See, Sight } from './sight.ts';
@@ -70,6 +71,7 @@ export class Spreader {
   readonly #line: number;
   readonly #see: See;
   readonly #sources: Sources | null;
+  readonly #smooth: Smooth;
 
   /** `sources`: what stands for the skel from afar; skels that have none are replaced by value and gradient. */
   constructor(
@@ -92,6 +94,7 @@ export class Spreader {
     const isPower = change.type === 'relative';
     this.#core = isPower ? change.core : 0;
     this.#power = isPower ? change.power(exponent) : 0;
+    this.#smooth = smoothness(this.#core, this.#power);
     const isLine = isPower && extent.dimension === 1;
     this.#line = isLine && wholeLine ? wholeLine(1 - this.#core, exponent) : 0;
   }
@@ -140,6 +143,9 @@ export class Spreader {
     out[LOOSE] = out[LOOSE]! + (whole + size * sight.slack) / m2;
     out[WIDTH] = Math.min(out[WIDTH]!, Math.sqrt(m2));
     out[POWER] = change.power(this.#exponent);
+    out[MASS] = out[MASS]! + whole + size * sight.slack;
+    out[FIRST] = Math.max(out[FIRST]!, this.#smooth.first * this.#per);
+    out[SECOND] = Math.max(out[SECOND]!, this.#smooth.second * per2);
   }
 
   /** The most that second derivatives come to in the ball of the step. */

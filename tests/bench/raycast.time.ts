@@ -6,7 +6,8 @@
 import { bindField } from '../../src/field/bind.ts';
 import { locating } from '../../src/field/polygonize.ts';
 import { Raycaster } from '../../src/field/raycast.ts';
-import { type RayCamera, raycasting } from '../../src/field/rayImage.ts';
+import type { RayCamera } from '../../src/field/rayImage.ts';
+import { raycasting } from '../../src/field/rayScene.ts';
 import { ZhuMarch } from '../../src/field/zhuMarch.ts';
 import { rayAt } from '../../src/stroke/plane.ts';
 import { finished } from '../field/finished.ts';

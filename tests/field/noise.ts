@@ -48,6 +48,8 @@ export function noise({ counts: [nx, ny, nz] }: Lattice, values: Float64Array): 
     onBranch: (_, x, y, z, out) => evaluate(x, y, z, out),
     look: (_, x, y, z) => value(x, y, z),
     clear: () => 0,
+    reached: () => Infinity,
+    around: () => 0,
     ahead: (_, out) => out.set([-Infinity, Infinity]),
     within: () => near,
     corners: (nodes: BrickNodes, out) => nodes.exact(near, out),

@@ -36,6 +36,55 @@ function cast(through: RayCamera): RayImage {
   return image;
 }
 
+describe('a needle thinner than a pixel', () => {
+  const needle = (radius: number): readonly Standing[] => {
+    const node: FieldNode = { type: 'shape', shape: { type: 'capsule', radius, half: 25 } };
+    const rotation = [0, 0, Math.sin(0.2), Math.cos(0.2)] as const;
+    return [
+      { located: finished(locating(bindField(node), 64)), placement: { rotation, translation: [0.4, 0, 0] } },
+    ];
+  };
+  const front = (fov: number): RayCamera => ({
+    ...camera(fov),
+    view: { ...camera(fov).view, rotation: [0, 0, 0, 1] },
+  });
+
+  it.each([
+    [0, 0.45],
+    [0, 0.1],
+    [40, 0.45],
+    [40, 0.1],
+  ])('opening %d°, %d pixels thick, is a line without gaps in what is looked at again', (fov, thick) => {
+    const bodies = needle(0.5 * thick);
+    const through = front(fov);
+    const image = emptyImage(through);
+    const caster = new SceneCaster(bodies, through);
+    for (let y = 0; y < through.height; y++) caster.row(image, y);
+    const edges = new Set(edgesOf(image, through));
+    expect(edges.size).toBeLessThan(6 * 50);
+    let met = 0;
+    for (const offset of OFFSETS) {
+      const again = new SceneCaster(bodies, { ...through, offset });
+      const one = emptyImage({ width: 1, height: 1 });
+      for (const at of edges) {
+        one.surface[3] = NOWHERE;
+        again.pixel(one, 0, at % 90, Math.floor(at / 90));
+        if (one.surface[3] !== NOWHERE) met++;
+      }
+    }
+    // what its middle line comes through
+    for (let y = -22; y <= 22; y += 0.25) {
+      const x = 0.4 - Math.tan(0.4) * y;
+      const at = Math.floor(35 - y) * 90 + Math.floor(45 + x);
+      expect(edges.has(at), `at ${y}`).toBe(true);
+    }
+    // of the rays through a band as wide as it is thick
+    const expected = (OFFSETS.length * thick * 50) / 1;
+    expect(met).toBeGreaterThan(0.6 * expected);
+    expect(met).toBeLessThan(1.5 * expected);
+  });
+});
+
 describe.each([0, 40])('opening %d°', (fov) => {
   const base = cast(camera(fov));
   const edges = edgesOf(base, camera(fov));

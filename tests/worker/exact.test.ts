@@ -7,19 +7,10 @@ import { emptyImage } from '../../src/field/rayScene.ts';
 import { UNMOVED } from '../../src/math/placement.ts';
 import { body } from '../field/trees.ts';
 import { random } from '../fixtures/random.ts';
+import { FakeScope } from './scope.ts';
 
-const heard: FromExact[] = [];
-let onMessage = (_: FromExact): void => {};
-const scope: {
-  onmessage?: (event: { readonly data: ToExact }) => void;
-  postMessage(message: FromExact): void;
-} = {
-  postMessage(message) {
-    heard.push(message);
-    onMessage(message);
-  },
-};
-const say = (data: ToExact) => scope.onmessage!({ data });
+const scope = new FakeScope<ToExact, FromExact>();
+const { heard, say } = scope;
 const sphere: FieldNode = { type: 'shape', shape: { type: 'sphere', radius: 10 } };
 const [WIDTH, HEIGHT] = [40, 30];
 const VIEW = { pivot: [0, 0, 0], rotation: [0, 0, 0, 1], height: 30, fov: 0 } as const;
@@ -50,8 +41,7 @@ beforeAll(async () => {
   await import('../../src/worker/exact.ts');
 });
 beforeEach(() => {
-  heard.splice(0);
-  onMessage = () => {};
+  scope.forget();
 });
 
 describe('the worker', () => {
@@ -117,7 +107,7 @@ describe('the worker', () => {
     let id = first;
     let newest = first;
     const late: number[] = [];
-    onMessage = (message) => {
+    scope.onHeard = (message) => {
       // what a slice of work says before messages are heard again is the page's to leave
       if (message.id < newest) late.push(message.id);
       newest = message.id;
