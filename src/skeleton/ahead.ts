@@ -27,6 +27,8 @@ export const LIMIT = 11;
 
 /** θ up to which the bound is used */
 const MOST = 0.9;
+/** and rounding */
+const AT_MOST = MOST * (1 + 1e-9);
 const SMALL = 1e-3;
 /** x up to which eˣ is */
 const GROWN = 3;
@@ -52,7 +54,7 @@ export function looseness(ahead: Ahead, t: number): number {
   if (!(loose > 0)) return bend;
   const smooth = 0.5 * ahead[SECOND]! * ahead[MASS]! * grown(ahead[FIRST]! * t);
   const theta = t / ahead[WIDTH]!;
-  return bend + (theta < MOST ? Math.min(smooth, loose * relative(theta, ahead[POWER]!)) : smooth);
+  return bend + (theta < AT_MOST ? Math.min(smooth, loose * relative(theta, ahead[POWER]!)) : smooth);
 }
 
 /** A little more than eˣ, in few words: (1 − x/8)⁻⁸. */
