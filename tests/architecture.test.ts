@@ -31,7 +31,7 @@ const DOORS: readonly { readonly what: RegExp; readonly folders: readonly string
   { what: /^three|^camera-controls/, folders: ['scene'] },
   { what: /^lit|^lucide/, folders: ['element'] },
   { what: /^node:|^playwright|^webgpu$/, folders: ['cli'] },
-  { what: /^gl-matrix/, folders: ['math'] },
+  { what: /^gl-matrix|^delaunator|^@kninnug|^earcut/, folders: ['math'] },
   { what: /^@gltf-transform/, folders: ['export'] },
 ];
 

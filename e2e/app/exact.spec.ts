@@ -114,7 +114,9 @@ for (const [address, backend] of [
     }
     await page.keyboard.press('x');
     await whole(page);
-    expect(await page.locator('.status .facts').textContent()).toMatch(/exact, [\d.]+ evaluations a pixel/);
+    expect(await page.locator('.status .seen').textContent()).toMatch(
+      /exact · [\d.]+ evaluations per pixel · [\d.]+ m?s/,
+    );
     const text = await page.evaluate(() => document.querySelector('rotund-sketch')!.save());
     expect(JSON.parse(text)).toMatchObject({ version: 3, look: { mode: 'exact' } });
     // a turn ends it, and after it rays are cast anew
@@ -143,6 +145,53 @@ for (const [address, backend] of [
   });
 }
 
+test('the graphics device casts the picture of the workers, and while the view turns', async ({ page }) => {
+  test.setTimeout(300_000);
+  const errors: string[] = [];
+  page.on('pageerror', (error) => errors.push(error.message));
+  page.on('console', (message) => message.type() === 'error' && errors.push(message.text()));
+  await open(page, '/?rays=device', TEXT);
+  await page.setViewportSize({ width: 240, height: 180 });
+  const look = (change: { readonly style?: 'toon' | 'hbed-ink'; readonly mode?: 'mesh' | 'exact' }) =>
+    page.evaluate((wanted) => document.querySelector('rotund-sketch')!.session.setLook(wanted), change);
+  const exact = async (): Promise<Shown> => {
+    await whole(page);
+    return takePicture(page);
+  };
+  await look({ style: 'toon', mode: 'exact' });
+  const toon = await exact();
+  // of the same images, or of those that are cast once more
+  await look({ style: 'hbed-ink' });
+  const ink = await exact();
+  await look({ mode: 'mesh' });
+  await page.evaluate(() => {
+    document.querySelector('rotund-sketch')!.session.rays.choice = 'worker';
+  });
+  await look({ mode: 'exact' });
+  expect(differing(ink, await exact(), 60)).toBeLessThan(10);
+  await look({ style: 'toon' });
+  expect(differing(toon, await exact(), 40)).toBeLessThan(10);
+  // while something moves
+  const isLive = await page.evaluate(async () => {
+    const { session } = document.querySelector('rotund-sketch')!;
+    session.rays.choice = 'device';
+    const { exact: seen } = session;
+    const live = seen.live.bind(seen);
+    const told: boolean[] = [];
+    seen.live = (now) => told[told.push(live(now)) - 1]!;
+    const view = session.scene!.rig.view();
+    session.scene!.rig.setView({ ...view, height: 1.02 * view.height }, false);
+    session.frames.wake();
+    await new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
+    return told;
+  });
+  expect(isLive[0]).toBe(true);
+  const turned = await takePicture(page);
+  await look({ mode: 'mesh' });
+  expect(differing(turned, await takePicture(page), 110)).toBeLessThan(30);
+  expect(errors).toEqual([]);
+});
+
 test('a pen points at the surface itself', async ({ page }) => {
   await open(page, '/', TEXT);
   const places = await page.evaluate(() => {
@@ -168,6 +217,42 @@ test('a pen points at the surface itself', async ({ page }) => {
   });
   // beside an outline the triangles may be hit where the surface is not
   expect(off.length).toBeLessThan(0.05 * places.length);
+});
+
+test('a stroke that starts on a body starts on its surface itself, whatever is seen', async ({ page }) => {
+  await open(page, '/', TEXT);
+  const field = bindField(NODE);
+  for (const mode of ['mesh', 'exact'] as const) {
+    const { origin, paths } = await page.evaluate((wanted) => {
+      const sketch = document.querySelector('rotund-sketch')!;
+      const { session } = sketch;
+      session.setMode(wanted);
+      session.setTool('draw');
+      const bodies = session.document.parts.filter(({ kind }) => kind === 'body').map(({ id }) => id);
+      const paths = new Set<string>();
+      let start: readonly [number, number] | null = null;
+      for (let y = 20; y < 340; y += 8)
+        for (let x = 20; x < 460; x += 8) {
+          const hit = sketch.pick(x, y);
+          if (!hit || !bodies.includes(hit.id)) continue;
+          paths.add(hit.skel!.path);
+          // well within it
+          if (bodies.includes(sketch.pick(x + 8, y + 8)?.id ?? '')) start ??= [x, y];
+        }
+      const [x, y] = start!;
+      const pen = { pressure: 0.5, tiltX: 0, tiltY: 0, pointer: 'pen', adds: false } as const;
+      session.down({ ...pen, x, y, time: 0 });
+      session.move([1, 2, 3, 4].map((i) => ({ ...pen, x: x + 10 * i, y, time: 10 * i })));
+      session.up();
+      const { origin } = session.document.draft!.strokes[0]!.plane;
+      session.undo();
+      return { origin, paths: [...paths].sort() };
+    }, mode);
+    const { rotation, translation } = PLACEMENT;
+    const [x, y, z] = unrotate3(rotation, sub3(origin, translation));
+    expect(Math.abs(field.value(x, y, z))).toBeLessThan(1e-6);
+    expect(paths).toEqual(['parts[0]', 'parts[1].skels[0]']);
+  }
 });
 
 test('where there is no body the switch says why it is off', async ({ page }) => {

@@ -166,9 +166,9 @@ for (const backend of ['auto', 'webgl2'] as const) {
       }
     });
 
-    test('what is there of an image is seen above the triangles of the rest', async () => {
+    test('what is there of an image is seen between the triangles of the rest', async () => {
       const look = { ...WHITE, style: 'phong' } as const;
-      const [mesh, exact] = await draw({ look, known: 0.5 });
+      const [mesh, exact] = await draw({ look, known: [0.25, 0.5] });
       const rows = Array.from({ length: HEIGHT }, (_, y) => {
         let most = 0;
         for (let x = 0; x < WIDTH; x++) most = Math.max(most, apart(mesh, exact, x, y));

@@ -1,9 +1,11 @@
 /** The scene with a ball of triangles and one that rays are cast for, which goes through it. */
+
 import { bindField } from '../../src/field/bind.ts';
 import { locating } from '../../src/field/polygonize.ts';
 import { edgesOf, imageThrough, OFFSETS } from '../../src/field/rayEdges.ts';
 import type { RayCamera, RayImage } from '../../src/field/rayImage.ts';
 import { emptyImage, SceneCaster, type Standing } from '../../src/field/rayScene.ts';
+import { finished } from '../../src/math/finished.ts';
 import { placed } from '../../src/mesh/placed.ts';
 import {
   createScene,
@@ -29,13 +31,6 @@ declare global {
     exactStage: ExactStage;
   }
 }
-
-const finished = <T>(steps: Generator<unknown, T>): T => {
-  for (;;) {
-    const { done, value } = steps.next();
-    if (done) return value;
-  }
-};
 
 const [, BODY] = BALLS;
 const BODIES: readonly Standing[] = [

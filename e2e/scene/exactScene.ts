@@ -17,8 +17,8 @@ export interface ExactPicture {
   readonly cast?: readonly [width: number, height: number];
   /** where the image lies */
   readonly from?: 'arrays' | 'buffers';
-  /** how much of the image is there, 0–1 from the top: only the first is drawn then */
-  readonly known?: number;
+  /** rows of the image that are there, from … to …, 0–1 from the top: only the first is drawn then */
+  readonly known?: readonly [number, number];
   readonly selected?: readonly ('triangles' | 'rays')[];
   /** mm that the eye is moved towards the balls */
   readonly height?: number;

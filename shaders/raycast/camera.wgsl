@@ -4,6 +4,9 @@
 
 @group(0) @binding(9) var<uniform> camera: RayCamera;
 
+// as in src/field/rayImage.ts
+const NOWHERE = -0x1p100;
+
 struct PixelRay {
   start: vec3f,
   along: vec3f,

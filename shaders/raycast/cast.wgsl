@@ -5,7 +5,7 @@
 // A ray a pixel onto the surface itself: through the bricks, in each in steps that surely do not go through it; where these are shorter than a
 // part of a pixel the sign decides. Twin of src/field/raycast.ts. A thread is a pixel.
 
-// normal, mm before the pivot's plane
+// normal in the model, mm before the pivot's plane
 @group(0) @binding(2) var<storage, read_write> surface: array<vec4f>;
 @group(0) @binding(3) var<storage, read_write> colours: array<vec4f>;
 // sixteenths of the terms that were asked, rounded up for each ray; rays that were given up
@@ -14,7 +14,7 @@
 // of a pixel: shorter steps are none
 const FINEST = 0.015625;
 // looks at most; who needs more grazes a surface all along
-const MOST_LOOKS = 256u;
+const MOST_LOOKS = 1024u;
 const NARROWINGS = 12u;
 const POLISHES = 3u;
 // of what is left, and of the lattice: a step that short leaves nothing to be seen; float32 knows no less
@@ -51,12 +51,15 @@ struct Caster {
 
 @compute @workgroup_size(8, 8)
 fn cast_pixels(@builtin(global_invocation_id) id: vec3u) {
-  let y = id.y + camera.row;
-  if (id.x >= camera.picture.x || y >= camera.picture.y) {
+  let x = id.x + camera.first.x;
+  let y = id.y + camera.first.y;
+  if (x >= camera.end.x || y >= camera.end.y) {
     return;
   }
-  let ray = pixel_ray(id.x, y);
-  let span = lattice_span(ray.start, ray.along, ray.nearest);
+  let pixel = x + camera.stride * y;
+  let ray = pixel_ray(x, y);
+  var span = lattice_span(ray.start, ray.along, ray.nearest);
+  span.y = min(span.y, reach_to(surface[pixel].w, ray));
   if (span.x >= span.y || lattice.bricks.w == 0u) {
     return;
   }
@@ -74,13 +77,13 @@ fn cast_pixels(@builtin(global_invocation_id) id: vec3u) {
     asked_terms = 0u;
     let reach = select(0.0, max(walk.leave - c.t, 0.0), c.mode == MARCH);
     if (is_paint && camera.colour.w == 1.0) {
-      put_pixel(id.x + camera.picture.x * y, c.normal, dot(p - camera.pivot, camera.back), camera.colour.xyz);
+      put_pixel(pixel, c.normal, dot(p - camera.pivot, camera.back), camera.colour.xyz);
       break;
     }
     let seen = seen_tree(c.list, camera.leaves, p, ray.along, reach, is_paint);
     asked += asked_terms;
     if (is_paint) {
-      put_pixel(id.x + camera.picture.x * y, c.normal, dot(p - camera.pivot, camera.back), seen.field.yzw);
+      put_pixel(pixel, c.normal, dot(p - camera.pivot, camera.back), seen.field.yzw);
       break;
     }
     let slope = dot(seen.field.yzw, ray.along);
@@ -111,6 +114,16 @@ fn cast_pixels(@builtin(global_invocation_id) id: vec3u) {
   atomicAdd(&work[1], u32(c.mode != NOTHING && c.mode != PAINT));
 }
 
+// how far along the ray it is to what is there already, and a pixel farther
+fn reach_to(before: f32, ray: PixelRay) -> f32 {
+  let slope = dot(ray.along, camera.back);
+  if (before == NOWHERE || slope >= 0.0) {
+    return 3e38;
+  }
+  let t = (before - dot(ray.start - camera.pivot, camera.back)) / slope;
+  return t + ray.pixel + ray.growth * t;
+}
+
 // On to the next brick that may hold surface, or to what is surely on the other side.
 fn find_brick(c: ptr<function, Caster>, walk: ptr<function, Walk>, is_first: bool) {
   var is_there = is_first || walk_next(walk);
@@ -138,7 +151,7 @@ fn find_brick(c: ptr<function, Caster>, walk: ptr<function, Walk>, is_first: boo
   (*c).before = (*walk).enter;
 }
 
-fn march(c: ptr<function, Caster>, walk: ptr<function, Walk>, seen: Seen, finest: f32) {
+fn march(c: ptr<function, Caster>, walk: ptr<function, Walk>, seen: Sighted, finest: f32) {
   let value = seen.field.x;
   let is_positive = value > 0.0;
   if (!(*c).knows_side) {
@@ -210,7 +223,7 @@ fn outward(gradient: vec3f) -> vec3f {
 // bodies are cast one after the other: the nearest stays
 fn put_pixel(at: u32, normal: vec3f, before: f32, colour: vec3f) {
   if (before > surface[at].w) {
-    surface[at] = vec4f(normal, before);
-    colours[at] = vec4f(colour, 1.0);
+    surface[at] = vec4f(camera.turn * normal, before);
+    colours[at] = vec4f(colour, camera.number);
   }
 }

@@ -1,26 +1,31 @@
+#import bricks/ball
 #import field/combined
 #import field/place
+#import isDistance
 #import operation
 #import program
 #import raycast/sum
 #import record/program
 #import record/step
 #import shape
+#import shapeRange
 #import table/numbers
 
 // A tree along a ray. Twin of `look` and `clear` in src/field/nearSet.ts, two operands at a time; blends, whose intervals the CPU halves,
 // keep their sign as far as their operands' slopes say.
 
 const MOST = 1e30;
+// of what is looked ahead at a shape that is no distance
+const SHORTENINGS = 14u;
 
 // `at`: where the brick's entries begin, or WHOLE; `leaves`: of the records
-fn seen_tree(at: u32, leaves: u32, p: vec3f, ray: vec3f, reach: f32, colours: bool) -> Seen {
+fn seen_tree(at: u32, leaves: u32, p: vec3f, ray: vec3f, reach: f32, colours: bool) -> Sighted {
   begin_list(at);
   let program = load_program(0u);
-  var stack: array<Seen, STACK>;
+  var stack: array<Sighted, STACK>;
   var height = 0u;
   var leaf = leaves;
-  var result: Seen;
+  var result: Sighted;
   for (var i = program.first; i < program.end; i += STEP_STRIDE) {
     let step = load_step(i);
     var early = result;
@@ -45,7 +50,7 @@ fn seen_tree(at: u32, leaves: u32, p: vec3f, ray: vec3f, reach: f32, colours: bo
   return result;
 }
 
-fn seen_leaf(step: Step, leaf: u32, p: vec3f, ray: vec3f, reach: f32, colours: bool) -> Seen {
+fn seen_leaf(step: Step, leaf: u32, p: vec3f, ray: vec3f, reach: f32, colours: bool) -> Sighted {
   var place: Place;
   var q = p;
   var along = ray;
@@ -54,11 +59,12 @@ fn seen_leaf(step: Step, leaf: u32, p: vec3f, ray: vec3f, reach: f32, colours: b
     q = to_local(place, p);
     along = place.inverse * ray;
   }
-  var seen: Seen;
+  var seen: Sighted;
   if (step.take == TAKE_SUM) {
     seen = seen_sum(load_sum(step.at), load_leaf(leaf), q, along, reach, colours);
   } else {
     let shape = load_shape(step.at);
+    asked_terms += 1u;
     let field = shape_field(shape, q);
     seen.field = select(field, vec4f(field.x, shape.colour), colours);
   }
@@ -68,13 +74,31 @@ fn seen_leaf(step: Step, leaf: u32, p: vec3f, ray: vec3f, reach: f32, colours: b
     seen.sight.slope *= place.scale;
   }
   if (step.take == TAKE_SHAPE) {
-    // in the world distances change by no more than what is gone
-    seen.sight = Sight(min(abs(seen.field.x), reach), 1.0, reach);
+    seen.sight = shape_sight(load_shape(step.at), seen.field.x, q, along, reach);
   }
   return seen;
 }
 
-fn seen_join(step: Step, early: Seen, late: Seen, colours: bool) -> Seen {
+// In the world distances change by no more than what is gone; what is none is asked for its interval over the next part of the ray, which is
+// shortened until that does not hold 0.
+fn shape_sight(shape: Shape, value: f32, p: vec3f, ray: vec3f, reach: f32) -> Sight {
+  if (is_distance(shape.kind)) {
+    return Sight(min(abs(value), reach), 1.0, reach);
+  }
+  let stretch = length(ray);
+  var t = reach;
+  for (var i = 0u; i < SHORTENINGS; i++) {
+    let radius = 0.5 * t * stretch;
+    let range = shape_range(shape, Ball(p + 0.5 * t * ray, radius, 0.0, radius, false, mat3x3f()));
+    if (range.x > 0.0 || range.y < 0.0) {
+      return Sight(t, 0.0, t);
+    }
+    t *= 0.5;
+  }
+  return Sight(0.0, 0.0, 0.0);
+}
+
+fn seen_join(step: Step, early: Sighted, late: Sighted, colours: bool) -> Sighted {
   var a = late;
   var b = early;
   if (step.swapped == 0u) {
@@ -85,7 +109,7 @@ fn seen_join(step: Step, early: Seen, late: Seen, colours: bool) -> Seen {
   let y = step.sign * b.field.x;
   let united = operation(step.operation, x, y, step.amounts);
   let value = clamp(step.outer * united.x, -MOST, MOST);
-  var seen: Seen;
+  var seen: Sighted;
   if (colours) {
     seen.field = vec4f(value, mix(a.field.yzw, b.field.yzw, share_of_b(united)));
   } else {

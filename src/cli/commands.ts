@@ -82,9 +82,14 @@ export const RENDER: CommandSpec = {
       value: 'mesh|raycast',
       help: 'how bodies are drawn: triangles, or their surface itself by rays (as stored in the drawing)',
     },
+    {
+      name: 'rays',
+      value: 'bricks|zhu',
+      help: 'with --mode raycast: the application’s rays through bricks, or to compare those of Zhu et al. 2011 (bricks)',
+    },
     HELP,
   ],
-  output: '{width, height, backend, milliseconds}',
+  output: '{width, height, backend, rays, milliseconds}',
 };
 
 export const INFO: CommandSpec = {

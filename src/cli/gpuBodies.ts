@@ -1,4 +1,5 @@
 /** `rotund mesh --backend gpu`: bricks by the device or the CPU, meshes of them in WGSL, on whatever adapter there is, read back. */
+
 import { type Body, bodyMade, keepBody } from '../document/bodies.ts';
 import { bindField } from '../field/bind.ts';
 import type { FieldNode } from '../field/node.ts';
@@ -8,6 +9,7 @@ import { cullsOnDevice } from '../gpu/bricks/cullsOnDevice.ts';
 import { openDevice } from '../gpu/device.ts';
 import { type GpuPolygonizer, gpuPolygonizer, type Where } from '../gpu/polygonize/polygonizer.ts';
 import { gpuWork } from '../gpu/polygonize/work.ts';
+import { finished } from '../math/finished.ts';
 import type { BodyMaker, MadeBody } from './bodyMaker.ts';
 import type { OpenGpu } from './gpuEvaluator.ts';
 import { Problem } from './problem.ts';
@@ -50,13 +52,6 @@ async function made(
 function kept(node: FieldNode, body: Body): MadeBody {
   keepBody(node, body);
   return { ...body, backend: 'webgpu' };
-}
-
-function finished<T>(steps: Generator<number, T>): T {
-  for (;;) {
-    const { done, value } = steps.next();
-    if (done) return value;
-  }
 }
 
 async function onGpu(

@@ -1,6 +1,8 @@
 /** `rotund render`: the picture the application shows, drawn by the same element in headless Chromium. */
+import { type Document, isBody } from '../document/document.ts';
 import type { Drawing } from '../document/drawing.ts';
 import type { Shot } from '../element/shot.ts';
+import { type Comparison, zhuSum } from '../field/zhuImage.ts';
 import { type Args, inputOf } from './args.ts';
 import { firstLine, type OpenPage, openPage, withBrowser } from './browser.ts';
 import { camera } from './camera.ts';
@@ -10,7 +12,7 @@ import { checkOutput, outputOf, writeOutputs } from './output.ts';
 import { Problem } from './problem.ts';
 import { leftOut } from './report.ts';
 import { result, say } from './say.ts';
-import { checkPicture, mode, size, style } from './values.ts';
+import { checkPicture, mode, rays, size, style } from './values.ts';
 
 export async function render(args: Args): Promise<void> {
   const started = performance.now();
@@ -19,15 +21,17 @@ export async function render(args: Args): Promise<void> {
   const out = outputOf(values.output, RENDER.synopsis);
   checkPicture(out);
   const shot = shotOf(values);
+  const isCompared = rays(values.rays, shot.mode) === 'zhu';
   checkOutput(out, input);
   const { drawing } = await readInput(input);
   for (const warning of leftOut(drawing.document)) say(`rotund: ${warning}`);
-  const { png, backend } = await withBrowser(async (browser) =>
-    drawn(await openPage(browser), drawing, shot),
+  if (isCompared) checkSums(drawing.document, input);
+  const { png, backend, ...counts } = await withBrowser(async (browser) =>
+    drawn(await openPage(browser), { drawing, shot, isCompared }),
   );
   writeOutputs([{ path: out, bytes: png }]);
   const milliseconds = Math.round(performance.now() - started);
-  result({ width: shot.width, height: shot.height, backend, milliseconds });
+  result({ width: shot.width, height: shot.height, backend, ...counts, milliseconds });
 }
 
 function shotOf(values: Args['values']) {
@@ -42,24 +46,45 @@ function shotOf(values: Args['values']) {
   };
 }
 
+/** Zhu et al. have no others. */
+function checkSums({ parts }: Document, input: string): void {
+  const bodies = parts.filter(isBody).filter(({ hidden }) => !hidden);
+  if (bodies.length === 0) throw new Problem(`${input}: there is no implicit body to cast rays at`);
+  for (const { name, node } of bodies) {
+    try {
+      zhuSum(node);
+    } catch (error) {
+      throw new Problem(`${input}: ${name}: ${firstLine(error)}`);
+    }
+  }
+}
+
+interface Order {
+  readonly drawing: Drawing;
+  readonly shot: Shot;
+  readonly isCompared: boolean;
+}
+
 interface Picture {
   readonly png: Uint8Array;
   readonly backend: string;
+  /** of a comparison */
+  readonly rays?: Comparison;
 }
 
 /** ms a picture may take: large ones take minutes on a software adapter. */
 const PATIENCE = 600_000;
 
-async function drawn({ page, broken }: OpenPage, drawing: Drawing, shot: Shot): Promise<Picture> {
+async function drawn({ page, broken }: OpenPage, wanted: Order): Promise<Picture> {
   // As one text: a drawing may hold a million numbers, and arguments are taken apart one by one.
-  const order = JSON.stringify({ drawing, shot });
+  const order = JSON.stringify(wanted);
   let timer: NodeJS.Timeout | undefined;
   const tooLong = new Promise<never>((_, reject) => {
     timer = setTimeout(() => reject(new Error('it took longer than ten minutes')), PATIENCE);
   });
   try {
-    const { base64, backend } = await Promise.race([broken, page.evaluate(inPage, order), tooLong]);
-    return { png: Buffer.from(base64, 'base64'), backend };
+    const { base64, ...said } = await Promise.race([broken, page.evaluate(inPage, order), tooLong]);
+    return { png: Buffer.from(base64, 'base64'), ...said };
   } catch (error) {
     const reason = firstLine(error).replace(/^page\.evaluate: (Error: )?/, '');
     throw new Problem(`the picture could not be drawn: ${reason}`, 1);
@@ -69,17 +94,20 @@ async function drawn({ page, broken }: OpenPage, drawing: Drawing, shot: Shot): 
 }
 
 /** Runs in the page. */
-async function inPage(order: string): Promise<{ readonly base64: string; readonly backend: string }> {
-  const { drawing, shot } = JSON.parse(order);
+async function inPage(order: string): Promise<Omit<Picture, 'png'> & { readonly base64: string }> {
+  const { drawing, shot, isCompared } = JSON.parse(order);
   await customElements.whenDefined('rotund-sketch');
   const sketch = document.querySelector('rotund-sketch')!;
   await sketch.load(drawing, { fit: false });
-  const picture = await sketch.picture(shot);
+  const { picture, ...counts } = isCompared
+    ? await sketch.compareRays(shot)
+    : { picture: await sketch.picture(shot) };
   const reader = new FileReader();
   await new Promise((resolve) => {
     reader.onload = resolve;
     reader.readAsDataURL(picture);
   });
   const url = reader.result as string;
-  return { base64: url.slice(url.indexOf(',') + 1), backend: sketch.dataset.backend ?? 'none' };
+  const said = { base64: url.slice(url.indexOf(',') + 1), backend: sketch.dataset.backend ?? 'none' };
+  return 'hits' in counts ? { ...said, rays: counts } : said;
 }

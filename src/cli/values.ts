@@ -68,6 +68,15 @@ export function mode(text: string | undefined): Mode | undefined {
   throw new Problem(`--mode: expected mesh or raycast; found '${text}'`);
 }
 
+/** Whose rays: ours, or those that are compared with them, in the mode they are of. */
+export function rays(text: string | undefined, of: Mode | undefined): 'bricks' | 'zhu' {
+  if (text === undefined) return 'bricks';
+  if (text !== 'bricks' && text !== 'zhu')
+    throw new Problem(`--rays: expected bricks or zhu; found '${text}'`);
+  if (of !== 'exact') throw new Problem(`--rays ${text} needs --mode raycast`);
+  return text;
+}
+
 export type Backend = 'cpu' | 'gpu';
 
 export function backend(text: string | undefined): Backend {

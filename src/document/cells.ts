@@ -2,6 +2,7 @@
  * In how many cells bodies are made: of about the same size all over a document, so that a hundred small bodies take no longer than
  * a large one; and in finer ones where a body is thinner than they are.
  */
+
 import { bindField } from '../field/bind.ts';
 import { unite } from '../field/boxes.ts';
 import { fitting } from '../field/fitBox.ts';
@@ -10,6 +11,7 @@ import { Tally } from '../field/near.ts';
 import type { FieldNode } from '../field/node.ts';
 import { PAGE } from '../field/polygonize.ts';
 import { THIN } from '../field/thinWalls.ts';
+import { finished } from '../math/finished.ts';
 import { place3 } from '../math/placement.ts';
 import type { Box } from '../skeleton/skeleton.ts';
 import { type Body, CELLS } from './bodies.ts';
@@ -66,7 +68,7 @@ function boxOfBody(node: FieldNode): Box | null {
   if (before !== undefined) return before;
   const field = bindField(node);
   const isBounded = [...(field.box?.min ?? []), ...(field.box?.max ?? [Infinity])].every(Number.isFinite);
-  const box = isBounded && field.box ? ended(fitting(field.near(new Tally()), field.box)) : ends;
+  const box = isBounded && field.box ? finished(fitting(field.near(new Tally()), field.box)) : ends;
   known.set(node, box);
   return box;
 }
@@ -92,10 +94,3 @@ function boxOfSurface(part: Part): Box | null {
 }
 
 const longest = ({ min, max }: Box): number => Math.max(max[0] - min[0], max[1] - min[1], max[2] - min[2]);
-
-function ended<T>(steps: Generator<unknown, T>): T {
-  for (;;) {
-    const { done, value } = steps.next();
-    if (done) return value as T;
-  }
-}

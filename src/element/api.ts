@@ -10,19 +10,29 @@ import { redoable, undoable } from '../document/history.ts';
 import type { Mode, Style } from '../document/look.ts';
 import { checkDrawing, FileError, parse, serialize, serializeScript } from '../document/serialize.ts';
 import type { Format, OutFile } from '../export/index.ts';
+import type { Comparison } from '../field/zhuImage.ts';
 import type { Scene } from '../scene/index.ts';
 import type { Stroke } from '../stroke/stroke.ts';
 import { Arrival } from './arrival.ts';
 import { checkedCommands, checkedIds } from './check.ts';
 import { Declared, type DeclaredHost } from './declared.ts';
 import { changed, failed, modeChanged, type RotundSketchEventMap, selected } from './events.ts';
-import { shownBodies } from './exact.ts';
+import { Exact, shownBodies } from './exact.ts';
+import type { Picked } from './exactPick.ts';
 import type { Waiting } from './needs.ts';
 import type { Hooks, Session } from './session.ts';
 import { pictureOptions, pngOf, type Shot } from './shot.ts';
 import { named } from './source.ts';
 import { type StrokeInput, strokeOf } from './strokeInput.ts';
 import type { Theme } from './theme.ts';
+import { WORDS } from './words.ts';
+import { ZhuCaster } from './zhuCaster.ts';
+
+/** The rays of Zhu et al. 2011 beside ours. */
+export interface RayComparison extends Comparison {
+  /** what theirs show, a PNG */
+  readonly picture: Blob;
+}
 
 export interface LoadOptions {
   /** what messages call it, and the drawing’s name where it has none of its own */
@@ -79,6 +89,7 @@ export abstract class SketchApi extends LitElement {
     alt: { reflect: true },
     renderStyle: { attribute: 'render-style', reflect: true },
     mode: { reflect: true },
+    volumes: { type: Boolean, reflect: true },
     readOnly: { type: Boolean, attribute: 'readonly', reflect: true },
     controls: { reflect: true, useDefault: true },
     theme: { reflect: true },
@@ -106,6 +117,8 @@ export abstract class SketchApi extends LitElement {
    * a person chooses.
    */
   declare mode: Mode | null;
+  /** Around the skels of bodies, where Zhu et al. 2011 look for their surface, as lines over the picture; follows what a person chooses, and is not saved. */
+  declare volumes: boolean;
   /** Looking only: one finger, the left button or the pen turns the view, a tap selects; methods still change the drawing. */
   declare readOnly: boolean;
   /** `none` shows the picture alone */
@@ -141,6 +154,7 @@ export abstract class SketchApi extends LitElement {
     this.alt = null;
     this.renderStyle = null;
     this.mode = null;
+    this.volumes = false;
     this.readOnly = false;
     this.controls = 'all';
     this.theme = null;
@@ -260,7 +274,22 @@ export abstract class SketchApi extends LitElement {
   }
 
   /** A PNG of exactly this size, of the kept parts, nothing selected; waits for `src`, for bodies and for the scene. */
-  async picture(shot: Shot = {}): Promise<Blob> {
+  picture(shot: Shot = {}): Promise<Blob> {
+    return this.#pictured(shot, this.session.exact);
+  }
+
+  /**
+   * The exact picture by the rays of Zhu et al. 2011 in place of ours; `zhu` and `bricks`, ours: `evaluationsPerPixel`, and how many hits of
+   * `hits` each `missed`. Rejects where there is no body, and where one is no sum of skels without cross sections.
+   */
+  async compareRays(shot: Omit<Shot, 'mode'> = {}): Promise<RayComparison> {
+    const caster = new ZhuCaster();
+    const picture = await this.#pictured({ ...shot, mode: 'exact' }, new Exact(() => {}, caster));
+    if (!caster.comparison) throw new Error(WORDS.noBodies);
+    return { picture, ...caster.comparison };
+  }
+
+  async #pictured(shot: Shot, exact: Exact): Promise<Blob> {
     // An element that never was on a page never completes an update either.
     if (this.isConnected) await this.updateComplete;
     await this.declared.settled();
@@ -268,13 +297,21 @@ export abstract class SketchApi extends LitElement {
     if (!this.isConnected)
       throw new Error('rotund-sketch: there is a picture only of an element that is on a page.');
     const scene = await this.scene.get();
-    const { document, view, look, frames, exact } = this.session;
+    const { document, view, look, frames } = this.session;
     const width = Math.round(this.clientWidth * devicePixelRatio);
     const height = Math.round(this.clientHeight * devicePixelRatio);
     const options = pictureOptions(shot, { document, view, look, width, height, fit: frames.fit });
     const isExact = options.look.mode === 'exact';
     const images = isExact ? await exact.images(shownBodies(document), options.view, options) : [];
     return pngOf(await scene.picture({ ...options, images }));
+  }
+
+  /**
+   * What is nearest under a place of the element, in CSS pixels from its upper left corner: `id` of the part, `point` in mm and outward
+   * `normal` of its surface, of a body `skel` as well: its `path` in the tree and its `share` of the field there. Null where nothing is.
+   */
+  pick(x: number, y: number): Picked | null {
+    return this.session.pick(x, y);
   }
 
   // ── events ──────────────────────────────────────────────────────────────────────────────────────────
@@ -398,6 +435,8 @@ export abstract class SketchApi extends LitElement {
   protected override willUpdate(changes: PropertyValues): void {
     if (changes.has('renderStyle')) this.declared.takeStyle();
     if (changes.has('mode')) this.declared.takeMode();
+    if (changes.has('volumes')) this.session.setVolumes(this.volumes);
+    this.volumes = this.session.volumes;
     if (changes.has('readOnly') && this.readOnly) this.session.cancel();
     this.session.bodies.expectsEdits = !this.readOnly;
     this.declared.followLook();

@@ -1,8 +1,9 @@
-/** Who casts rays for the element: a worker (rayWorker.ts) today; a graphics device whose images stay on it would meet the same contract. */
+/** Who casts rays for the element: workers (rayWorker.ts), or a graphics device whose images stay on it (deviceRays.ts); rays.ts chooses. */
 import type { FieldNode } from '../field/node.ts';
 import type { RayCamera } from '../field/rayImage.ts';
 import type { Placement } from '../math/placement.ts';
-import type { SurfaceImage } from '../scene/index.ts';
+import type { Scene, SurfaceImage } from '../scene/index.ts';
+import type { View } from '../stroke/stroke.ts';
 
 /** A body, and the item of the scene that is its mesh. */
 export interface ShownBody {
@@ -18,8 +19,8 @@ export interface CastImages {
   /** images that are whole, and how many there will be */
   readonly count: number;
   readonly whole: number;
-  /** rows of the first that are there, 0–1 from the top */
-  readonly known: number;
+  /** rows of the first that are there, from … to …, 0–1 from the top */
+  readonly known: readonly [from: number, to: number];
   /** 0–1 of what is being done until the first is whole */
   readonly share: number;
   /** of the first image, in values of one skel; null until it is whole */
@@ -40,8 +41,19 @@ export interface CastListener {
 export interface Caster {
   /** What was wanted before is given up, and nothing more is told of it. */
   cast(bodies: readonly ShownBody[], camera: RayCamera, listener: CastListener): CastImages;
+  /**
+   * An image within so many ms, with as many rays as they allow, beside what is wanted; null: it takes longer. It holds until the next.
+   */
+  live?(
+    bodies: readonly ShownBody[],
+    view: View,
+    pixels: Scene['pixels'],
+    milliseconds: number,
+  ): SurfaceImage | null;
   /** Nothing is wanted for now. */
   stop(): void;
+  /** Nothing was wanted for long: what can be made again goes. */
+  idle?(): void;
   /** Nothing is kept either; what was wanted is refused. */
   end(): void;
 }

@@ -241,17 +241,15 @@ export function chip(session: Session, actions: Actions): TemplateResult | typeo
   </div>`;
 }
 
-/** Line 1: the last event, spoken politely. Line 2: mesh, time, back end. */
+/** Line 1: the last event, spoken politely. Line 2: mesh or exact, with what there is of it; where there is room the last form, and the back end. */
 export function status(session: Session): TemplateResult {
   const backend = session.scene?.backend;
   const slow = backend === 'WebGL2' ? 'WebGL2, slower' : backend;
-  const time = session.surfaceTime ? `${Math.max(1, Math.round(session.surfaceTime))} ms` : '';
-  const known = session.making || [session.detail, time].filter(Boolean).join(' · ');
-  const facts = session.detail && `${known} · `;
+  const { seen, detail } = session;
   const draws = slow ?? (session.noPicture ? WORDS.noPicture : WORDS.loading);
   return html`<div class="status chrome" part="status">
     <span role="status" aria-live="polite"><b>${session.said}</b></span>
-    <span><i class="dot ${backend === 'WebGPU' ? '' : 'slow'}"></i><span class="facts">${facts}</span>${draws}</span>
+    <span><i class="dot ${backend === 'WebGPU' ? '' : 'slow'}"></i><span class="seen">${seen}</span><span class="aside"><span class="gap">${seen && ' · '}</span><span class="facts">${detail && `${detail} · `}</span>${draws}</span></span>
   </div>`;
 }
 

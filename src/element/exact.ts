@@ -1,6 +1,12 @@
 /**
- * The exact surface of bodies in the picture. While anything moves their meshes are seen; where all rests rays are cast beside the page, and
- * their image takes the place of the meshes row by row, then gets smoother edges. Any change gives it up at once.
+ * The exact surface of bodies in the picture. While anything moves their meshes are seen, or fewer rays where a graphics device casts them in time;
+ * where all rests rays are cast beside the page, and their image takes the place of the meshes, then gets smoother edges. Any change gives it up
+ * at once.
+ *
+ * The mesh is the workers' reduced resolution: it is less than a pixel off, has smooth edges and is there at once; a coarse image of rays is none of
+ * these. So that nothing pops, no image weighs more than a third in the first picture: what is there of the first (bands from the middle outwards,
+ * with a soft border, at most three times) shows as lightly as all of it will, and with the third the mesh is gone. Everything is cast anew where
+ * one of several bodies moves: which pixels another body's shape or its absence leaves alone was not worth the care.
  */
 import { cellsMade } from '../document/bodies.ts';
 import { type Document, isBody } from '../document/document.ts';
@@ -12,10 +18,18 @@ import { keyOf, RayWorker } from './rayWorker.ts';
 
 /** ms without a change until rays are cast, or until what was cast is shown again */
 const REST = 120;
+/** ms that rays may take of a frame of something that moves */
+const LIVE = 12;
 /** images after which nothing of the meshes is seen any more: fewer leave edges jagged */
 const ENOUGH = 3;
-/** of the rows of the first image: what more than this is drawn at once */
-const PART = 0.12;
+/**
+ * What is there of the first image is drawn when this is more than was drawn, of its rows, and so many ms after it: a software adapter takes
+ * half a second, which the rays could have.
+ */
+const PART = 0.3;
+const PAUSE = 1500;
+/** ms without a wish until workers end: bricks are worth keeping while somebody goes back and forth */
+const IDLE = 20_000;
 /** rays a picture: larger ones have a ray for several pixels */
 const MOST_RAYS = 2.4e6;
 
@@ -44,9 +58,11 @@ export class Exact {
   #drawn = '';
   /** images that are drawn */
   #count = 0;
-  /** how much of the first image is drawn before it is whole */
+  /** ms, when the rays began, or what was there of them was drawn last */
+  #drawnAt = 0;
   #known = 0;
   #timer: ReturnType<typeof setTimeout> | undefined;
+  #idle: ReturnType<typeof setTimeout> | undefined;
   #rested = false;
   /** a picture is made: the screen waits */
   #isBusy = false;
@@ -66,6 +82,7 @@ export class Exact {
       this.rest();
       return false;
     }
+    this.#keep();
     const camera = cameraOf(view, scene.pixels);
     const cast = JSON.stringify([
       camera,
@@ -84,6 +101,13 @@ export class Exact {
     return this.#refine(scene);
   }
 
+  /** Draws a frame of something that moves by rays as well, where they are fast enough; false: it is to be drawn with meshes. */
+  live({ scene, bodies, view }: Omit<Seen, 'version'>): boolean {
+    if (bodies.length === 0 || this.#isBusy || this.problem !== null) return false;
+    const image = this.#caster.live?.(bodies, view, scene.pixels, LIVE);
+    return image ? scene.refine(image, { alone: true }) : false;
+  }
+
   /** Nothing is wanted. */
   rest(): void {
     if (this.#cast === '' && !this.#images) return;
@@ -92,11 +116,13 @@ export class Exact {
     this.#drawn = '';
     clearTimeout(this.#timer);
     this.#rested = false;
+    this.#letGo();
   }
 
   /** Nobody is there to see them. */
   stop(): void {
     this.rest();
+    this.#keep();
     this.#caster.end();
   }
 
@@ -131,6 +157,7 @@ export class Exact {
 
   async #whole(bodies: readonly ShownBody[], camera: RayCamera): Promise<Images> {
     this.#giveUp();
+    this.#keep();
     this.#isBusy = true;
     try {
       const images = await new Promise<CastImages>((resolve, reject) => {
@@ -142,8 +169,19 @@ export class Exact {
       return Array.from({ length: images.whole }, (_, i) => () => images.image(i));
     } finally {
       this.#isBusy = false;
+      this.#letGo();
       this.#changed();
     }
+  }
+
+  #keep(): void {
+    clearTimeout(this.#idle);
+  }
+
+  #letGo(): void {
+    if (this.#isBusy) return;
+    this.#keep();
+    this.#idle = setTimeout(() => this.#caster.idle?.(), IDLE);
   }
 
   #giveUp(): void {
@@ -155,7 +193,6 @@ export class Exact {
 
   #wait(): void {
     this.#count = 0;
-    this.#known = 0;
     this.#rested = false;
     clearTimeout(this.#timer);
     this.#timer = setTimeout(() => {
@@ -165,6 +202,8 @@ export class Exact {
   }
 
   #begin(bodies: readonly ShownBody[], camera: RayCamera): void {
+    this.#drawnAt = performance.now();
+    this.#known = 0;
     this.#images = this.#caster.cast(bodies, camera, {
       changed: () => this.#changed(),
       refused: (why) => {
@@ -174,12 +213,14 @@ export class Exact {
     });
   }
 
-  /** More rows of the first; few at a time would cost more than they show. */
+  /** More rows of the first, now and then. */
   #inPart(scene: Scene, images: CastImages): boolean {
     const { known } = images;
     if (this.problem !== null) return false;
-    if (known - this.#known < PART) return true;
-    this.#known = known;
+    const [now, share] = [performance.now(), known[1] - known[0]];
+    if (share - this.#known < PART || now - this.#drawnAt < PAUSE) return true;
+    this.#drawnAt = now;
+    this.#known = share;
     return scene.refine(images.image(0), { known, enough: ENOUGH });
   }
 

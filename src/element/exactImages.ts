@@ -1,68 +1,151 @@
-/** What rays have found so far for one picture: kept on the page, so that another style or colour casts none anew. */
-import type { FromExact, Rows } from '../field/exactWork.ts';
-import { imageThrough, OFFSETS, type Recast } from '../field/rayEdges.ts';
+/**
+ * What rays have found so far for one picture: kept on the page, so that another style or colour casts none anew. Bands and rays at edges come
+ * from several workers in any order.
+ */
+import type { Again, Band, Pixels } from '../field/exactWork.ts';
+import { edgesOf, imageThrough, OFFSETS } from '../field/rayEdges.ts';
 import type { RayCamera } from '../field/rayImage.ts';
 import { emptyImage, type OwnImage } from '../field/rayScene.ts';
 import type { SurfaceImage } from '../scene/index.ts';
 import type { CastImages } from './caster.ts';
+import { BAND } from './rayJobs.ts';
 
 export class ExactImages implements CastImages {
   readonly whole = 1 + OFFSETS.length;
-  known = 0;
-  /** bodies are looked for, then rows cast */
-  share = 0;
-  evaluationsAPixel: number | null = null;
   milliseconds = 0;
   readonly #camera: RayCamera;
   /** ids of the items */
   readonly #items: readonly string[];
   readonly #base: OwnImage;
-  #edges: Uint32Array | null = null;
-  readonly #recasts: Recast[] = [];
+  readonly #since = performance.now();
+  #located = 0;
+  #work = 0;
+  /** bands that are there, 1 */
+  readonly #there: Uint8Array;
+  #missing: number;
+  /** pixels at edges, in the order in which they were found */
+  readonly #places: number[] = [];
+  readonly #isEdge: Uint8Array;
+  readonly #agains: readonly Again[][] = OFFSETS.map(() => []);
 
   constructor(camera: RayCamera, items: readonly string[]) {
+    const { width, height } = camera;
     this.#camera = camera;
     this.#items = items;
     this.#base = emptyImage(camera);
+    this.#there = new Uint8Array(Math.ceil(height / BAND));
+    this.#missing = this.#there.length;
+    this.#isEdge = new Uint8Array(width * height);
   }
 
-  hear(said: Exclude<FromExact, { readonly type: 'refused' }>): void {
-    switch (said.type) {
-      case 'locating':
-        this.share = Math.min(said.share, 1);
-        return;
-      case 'rows':
-        this.#put(said);
-        return;
-      case 'edges':
-        this.#edges = said.places;
-        this.known = 1;
-        ({ evaluationsAPixel: this.evaluationsAPixel, milliseconds: this.milliseconds } = said);
-        return;
-      case 'again':
-        this.#recasts.push(said.recast);
-    }
+  /** Pixels at edges that are known. */
+  get places(): number {
+    return this.#places.length;
+  }
+
+  placesOf(first: number, count: number): Uint32Array<ArrayBuffer> {
+    return Uint32Array.from(this.#places.slice(first, first + count));
+  }
+
+  /** How much is known of the bodies, as somebody who looks for them says. */
+  located(share: number): void {
+    this.#located = Math.min(Math.max(share, this.#located), 1);
+  }
+
+  hear(said: Band | Again): void {
+    if (said.type === 'band') this.#put(said);
+    else this.#agains[said.offset]!.push(said);
   }
 
   get count(): number {
-    return this.#edges ? 1 + this.#recasts.length : 0;
+    if (this.#missing > 0) return 0;
+    const missing = this.#agains.findIndex((agains) => sumOf(agains) < this.#places.length);
+    return missing < 0 ? this.whole : 1 + missing;
+  }
+
+  get evaluationsAPixel(): number | null {
+    return this.#missing > 0 ? null : this.#work / (this.#camera.width * this.#camera.height);
+  }
+
+  /** Bodies are looked for, then rows cast. */
+  get share(): number {
+    const bands = this.#there.length;
+    return this.#missing === bands ? this.#located : 1 - this.#missing / bands;
+  }
+
+  get known(): readonly [from: number, to: number] {
+    const bands = this.#there.length;
+    let [from, to] = [Math.floor(bands / 2), Math.floor(bands / 2)];
+    while (from > 0 && this.#there[from - 1] === 1) from--;
+    while (to < bands && this.#there[to] === 1) to++;
+    const share = (band: number) => Math.min((band * BAND) / this.#camera.height, 1);
+    return [share(from), share(to)];
   }
 
   image(number: number): SurfaceImage {
-    const recast = this.#recasts[number - 1];
     const [camera, items] = [this.#camera, this.#items];
-    if (!recast || !this.#edges) return { camera, items, ...arraysOf(this.#base) };
-    const { surface, colours } = imageThrough(this.#base, camera, this.#edges, recast);
-    return { camera: { ...camera, offset: recast.offset }, items, surface, colours };
+    const offset = OFFSETS[number - 1];
+    if (!offset) return { camera, items, ...arraysOf(this.#base) };
+    const again = emptyImage({ width: this.#places.length, height: 1 });
+    for (const said of this.#agains[number - 1]!) putAt(again, said.first, said);
+    const places = this.placesOf(0, this.#places.length);
+    const image = imageThrough(this.#base, camera, places, { offset, ...again });
+    return { camera: { ...camera, offset }, items, ...arraysOf(image) };
   }
 
-  #put({ from, to, share, surface, colours }: Rows): void {
-    const { width, height } = this.#camera;
-    this.#base.surface.set(surface, 4 * from * width);
-    this.#base.colours.set(colours, 4 * from * width);
-    this.share = share;
-    this.known = Math.min(to / height, 1 - 1 / height);
+  #put(said: Band): void {
+    const { from, to, places, work } = said;
+    const band = Math.floor(from / BAND);
+    if (this.#there[band] === 1) return;
+    this.#there[band] = 1;
+    this.#work += work;
+    putAt(this.#base, from * this.#camera.width, said);
+    this.#add(places);
+    if (this.#there[band - 1] === 1) this.#add(this.#seam(from));
+    if (this.#there[band + 1] === 1) this.#add(this.#seam(to));
+    if (--this.#missing === 0) this.milliseconds = performance.now() - this.#since;
+  }
+
+  #add(places: Iterable<number>): void {
+    for (const at of places) {
+      if (this.#isEdge[at] === 1) continue;
+      this.#isEdge[at] = 1;
+      this.#places.push(at);
+    }
+  }
+
+  /** Edges in the rows above and below the border between two bands, which neither band can tell. */
+  *#seam(row: number): Generator<number> {
+    const { width, height, offset } = this.#camera;
+    const [from, to] = [Math.max(row - 2, 0), Math.min(row + 2, height)];
+    const part = [4 * from * width, 4 * to * width] as const;
+    const { surface, colours } = this.#base;
+    const strip = {
+      width,
+      height: to - from,
+      surface: surface.subarray(...part),
+      colours: colours.subarray(...part),
+    };
+    const camera: RayCamera = { ...this.#camera, offset: [offset[0], offset[1] + from] };
+    for (const at of edgesOf(strip, camera)) {
+      const place = at + from * width;
+      const y = Math.floor(place / width);
+      if (y === row - 1 || y === row) yield place;
+    }
   }
 }
 
-const arraysOf = ({ surface, colours }: OwnImage) => ({ surface, colours });
+const sumOf = (agains: readonly Again[]): number => agains.reduce((sum, { count }) => sum + count, 0);
+
+const arraysOf = ({ surface, colours }: Pick<SurfaceImage, 'surface' | 'colours'>) => ({ surface, colours });
+
+/** From a pixel on. */
+function putAt(
+  image: OwnImage,
+  pixel: number,
+  { surface, colours }: Pick<Pixels, 'surface' | 'colours'>,
+): void {
+  if (!surface || !colours) return;
+  image.surface.set(surface, 4 * pixel);
+  image.colours.set(colours, 4 * pixel);
+}

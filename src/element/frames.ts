@@ -9,6 +9,7 @@ import type { SceneItem } from '../scene/index.ts';
 import type { View } from '../stroke/stroke.ts';
 import { shownBodies } from './exact.ts';
 import type { Session } from './session.ts';
+import { guidesOf } from './volumes.ts';
 import { WORDS } from './words.ts';
 
 /** ms: a preview that takes longer is not made in every frame */
@@ -20,6 +21,8 @@ interface Shown {
 }
 
 export class Frames {
+  /** of all that is shown */
+  triangles = 0;
   /** ms the last surface took, from strokes to mesh */
   buildTime = 0;
   #fit = false;
@@ -87,7 +90,7 @@ export class Frames {
     this.#last = now;
     const moving = scene?.rig.update(seconds) ?? false;
     if (this.#stale && this.#due) this.#sync();
-    if (!this.#exact(moving)) scene?.render();
+    if (!this.#exact(moving) && !this.#live()) scene?.render();
     this.#drawn();
     if (moving || this.#stale) this.wake();
   }
@@ -98,8 +101,12 @@ export class Frames {
     this.#synced = performance.now();
     const items = this.#solids(session.shown()).map(({ solid, preview }) => ({ ...solid, preview }));
     if (!sameItems(items, this.#items)) this.version++;
+    // numbers that tick while somebody draws would be in the way
+    if (!session.state.wet)
+      this.triangles = items.reduce((sum, { mesh }) => sum + mesh.indices.length / 3, 0);
     this.#items = items;
     session.scene?.sync(items);
+    session.scene?.guide(session.volumes ? guidesOf(session.shown()) : null);
     // Fitting needs the size of the picture as well as the parts.
     if (this.fit && session.scene && session.size.width > 1 && session.bodies.drafted) this.#showAll();
   }
@@ -124,6 +131,13 @@ export class Frames {
     if (look !== this.#look) this.version++;
     this.#look = look;
     return exact.frame({ scene, bodies: shownBodies(this.#session.shown()), view, version: this.version });
+  }
+
+  /** Whether what moves is drawn by rays. */
+  #live(): boolean {
+    const { scene, exact, look, view } = this.#session;
+    if (!scene || look.mode !== 'exact') return false;
+    return exact.live({ scene, bodies: shownBodies(this.#session.shown()), view });
   }
 
   /** A preview that took long waits its turn: the pen has the time before it. */

@@ -13,9 +13,10 @@ export { FileError, parse, replay, serialize, serializeScript } from '../documen
 export type { Exporter, Format, Model, OutFile } from '../export/index.ts';
 export { exporters, modelOf } from '../export/index.ts';
 export type { FieldNode } from '../field/node.ts';
+export type { SkelAt } from '../field/skelAt.ts';
 export type { Mesh } from '../mesh/mesh.ts';
 export type { Plane, Sample, Stroke, View } from '../stroke/stroke.ts';
-export type { LoadOptions } from './api.ts';
+export type { LoadOptions, RayComparison } from './api.ts';
 export type {
   ChangeDetail,
   ErrorDetail,
@@ -23,6 +24,7 @@ export type {
   RotundSketchEventMap,
   SelectDetail,
 } from './events.ts';
+export type { Picked } from './exactPick.ts';
 export type { Waiting } from './needs.ts';
 export { RotundSketch } from './rotundSketch.ts';
 export type { Angles, Shot } from './shot.ts';

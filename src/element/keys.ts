@@ -101,6 +101,8 @@ function looking(key: string, session: Session, actions: KeyActions): boolean {
       return done(session.setLook({ wireframe: !look.wireframe }));
     case 'x':
       return done(session.setMode(look.mode === 'exact' ? 'mesh' : 'exact'));
+    case 'm':
+      return done(session.toggleVolumes());
     case 'f':
       return done(session.fullScreen());
     case 'Home':

@@ -196,6 +196,7 @@ export const layout = css`
     .chip { left: 0.5rem !important; right: 0.5rem; transform: none; top: auto !important; bottom: calc(5.25rem + env(safe-area-inset-bottom, 0px)); }
     .chip .what, .chip.narrow .what { display: block; flex: 1; }
     .chip .word { display: none; }
+    .status :is(.seen, .gap) { display: none; }
     .status { left: 0.75rem; bottom: calc(5.25rem + env(safe-area-inset-bottom, 0px)); max-width: 60%; }
     .chip ~ .status { display: none; }
     .view { right: 0.75rem; bottom: calc(9.5rem + env(safe-area-inset-bottom, 0px)); }

@@ -13,6 +13,8 @@ interface Need {
   readonly nodes: readonly FieldNode[];
   readonly progress: (share: number) => void;
   readonly resolve: () => void;
+  /** of what gives it up, which may live on */
+  readonly deaf: AbortController;
 }
 
 export class Needs {
@@ -30,13 +32,14 @@ export class Needs {
   ): Promise<void> {
     return new Promise((resolve, reject) => {
       signal?.throwIfAborted();
-      const need = { nodes, progress, resolve };
+      const need = { nodes, progress, resolve, deaf: new AbortController() };
       this.#all = [...this.#all, need];
-      signal?.addEventListener('abort', () => {
+      const giveUp = () => {
         this.#drop(need);
-        reject(signal.reason as Error);
+        reject(signal?.reason as Error);
         changed();
-      });
+      };
+      signal?.addEventListener('abort', giveUp, { signal: need.deaf.signal });
       changed();
     });
   }
@@ -55,6 +58,7 @@ export class Needs {
   }
 
   #drop(need: Need): void {
+    need.deaf.abort();
     this.#all = this.#all.filter((other) => other !== need);
   }
 }

@@ -56,6 +56,10 @@ function settings(session: Session, actions: Actions): TemplateResult {
         title: WORDS.exactHint,
         off: session.hasBodies ? null : WORDS.noBodies,
       })}
+      ${toggle(WORDS.volumes, session.volumes, () => session.toggleVolumes(), {
+        title: WORDS.volumesHint,
+        off: session.hasBodies ? null : WORDS.noBodies,
+      })}
     </section>
     <section>
       <h3>Background <span class="value">${dark?.[1]}</span></h3>

@@ -34,7 +34,7 @@ export const partsLayout = css`
   .acts .b > .name { display: block; }
   .acts .tip { display: none; }
   .acts ~ .status { max-width: calc(50cqw - 14.5rem); }
-  .acts.docked ~ .status > span + span { display: none; }
+  .acts.docked ~ .status .aside { display: none; }
   .acts .swatch, .acts .swatch .ball { width: 1.5rem; height: 1.5rem; }
 
   /* list and card */

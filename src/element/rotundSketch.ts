@@ -353,9 +353,9 @@ export class RotundSketch extends SketchApi {
   /** After each frame: the ink over it, and what hangs on the camera. */
   #drawn(): void {
     this.drawInk();
-    const { view, state } = this.session;
+    const { view, state, frames } = this.session;
     this.declared.sayReady();
-    const key = JSON.stringify([view, state.carried?.by]);
+    const key = JSON.stringify([view, state.carried?.by, frames.triangles]);
     if (key === this.#viewKey) return;
     this.#viewKey = key;
     this.requestUpdate();

@@ -37,9 +37,10 @@ import { CameraMoves } from './cameraMoves.ts';
 import { draftProblem } from './draftProblem.ts';
 import type { Cause } from './events.ts';
 import { Exact } from './exact.ts';
-import { exactHit } from './exactPick.ts';
+import { type Picked, pickedOn } from './exactPick.ts';
 import { Frames } from './frames.ts';
 import type { NoPicture } from './noPicture.ts';
+import { Rays } from './rays.ts';
 import { spoken } from './speech.ts';
 import { SURFACE, WORDS } from './words.ts';
 
@@ -77,6 +78,8 @@ export class Session implements Bench, Viewport {
   /** of the drawing, for the tray and for files */
   name = '';
   look: Look = DEFAULT_LOOK;
+  /** Zhu et al.'s bounding volumes are drawn over bodies */
+  volumes = false;
   size = { width: 1, height: 1 };
   /** last event, the words of the status line and the live region */
   said: string = WORDS.ready;
@@ -99,7 +102,8 @@ export class Session implements Bench, Viewport {
   #lastView: View = FRONT_VIEW;
   readonly frames: Frames;
   readonly bodies = new Bodies((news) => this.#bodyNews(news));
-  readonly exact = new Exact(() => this.#exactNews());
+  readonly rays = new Rays();
+  readonly exact = new Exact(() => this.#exactNews(), this.rays);
   readonly #hooks: Hooks;
 
   constructor(hooks: Hooks) {
@@ -119,12 +123,13 @@ export class Session implements Bench, Viewport {
     return this.scene?.rig.view() ?? this.#lastView;
   }
 
-  pick(x: number, y: number, except?: readonly string[]) {
+  /** On bodies their surface itself, whatever is seen of them: strokes that start there stay, meshes do not. */
+  pick(x: number, y: number, except?: readonly string[]): Picked | null {
     const hit = this.scene?.pick(x, y, except) ?? null;
-    if (!hit || this.look.mode !== 'exact') return hit;
+    if (!hit) return null;
     const part = this.document.parts.filter(isBody).find(({ id }) => id === hit.id);
     const made = part && bodyMade(part.node);
-    return made ? exactHit(hit, part, rayAt(this.view, this.size, x, y), made) : hit;
+    return made ? pickedOn(hit, part, rayAt(this.view, this.size, x, y), made) : { ...hit, skel: null };
   }
 
   focus(ids: readonly string[]): void {
@@ -459,6 +464,20 @@ export class Session implements Bench, Viewport {
     else this.update();
   }
 
+  setVolumes(on: boolean): void {
+    if (on === this.volumes) return;
+    this.volumes = on;
+    this.frames.version++;
+    this.update();
+  }
+
+  /** For people, who are told. */
+  toggleVolumes(): void {
+    this.said = this.hasBodies ? WORDS.volumesSaid(!this.volumes) : WORDS.noBodies;
+    if (this.hasBodies) this.setVolumes(!this.volumes);
+    else this.update();
+  }
+
   setStyle(style: Style, name: string): void {
     this.said = WORDS.style(name);
     this.setLook({ style });
@@ -476,6 +495,7 @@ export class Session implements Bench, Viewport {
   attach(scene: Scene): void {
     if (this.scene !== scene) this.scene?.dispose();
     this.scene = scene;
+    this.rays.use(scene);
     this.frames.version++;
     scene.rig.setView(this.#lastView, false);
     scene.setLook(this.look);
@@ -502,28 +522,32 @@ export class Session implements Bench, Viewport {
     return this.state.preview?.(this) ?? this.document;
   }
 
-  /** What rays do, or did. */
-  get #exactDetail(): string {
-    const { share, evaluationsAPixel, problem } = this.exact;
-    if (this.look.mode !== 'exact' || !this.hasBodies) return '';
+  /** What rays do, or did; null: triangles are seen. */
+  get #rays(): string | null {
+    const { share, evaluationsAPixel, problem, milliseconds } = this.exact;
+    if (this.look.mode !== 'exact' || !this.hasBodies) return null;
     if (problem !== null) return WORDS.notExact;
     if (share !== null) return WORDS.casting(Math.round(100 * share));
-    return evaluationsAPixel === null ? '' : WORDS.exact(evaluationsAPixel);
+    return evaluationsAPixel === null ? null : WORDS.exact(evaluationsAPixel, milliseconds);
   }
 
-  /** What the second line of the status shows. */
+  /** Whether the picture is a mesh or exact, and of what; or what is being made. */
+  get seen(): string {
+    if (this.making) return this.making;
+    const { triangles } = this.frames;
+    return this.#rays ?? (triangles > 0 ? WORDS.mesh(triangles) : '');
+  }
+
+  /** Of the last form. */
   get detail(): string {
     const last = this.document.parts.at(-1);
     const kind = readingOf(this.document) ?? last?.kind;
     if (!kind) return '';
     const body = last && isBody(last) ? bodyMade(last.node) : null;
     const grid = `${RESOLUTION.u} × ${RESOLUTION.v} mesh`;
-    const mesh = kind !== 'body' ? grid : body ? `mesh of ${body.cells} cells` : '';
-    return [SURFACE[kind].name, this.#exactDetail || mesh].filter(Boolean).join(' · ');
-  }
-
-  /** ms that the surface took which is seen */
-  get surfaceTime(): number {
-    return this.exact.evaluationsAPixel === null ? this.frames.buildTime : this.exact.milliseconds;
+    const mesh = kind !== 'body' ? grid : body ? `${body.cells} cells` : '';
+    const time = this.frames.buildTime;
+    const took = time > 0 ? `${Math.max(1, Math.round(time))} ms` : '';
+    return [SURFACE[kind].name, mesh, took].filter(Boolean).join(' · ');
   }
 }

@@ -9,6 +9,13 @@ export const SURFACE: Readonly<Record<Part['kind'], { readonly name: string; rea
   body: { name: 'Body', long: 'Implicit body' },
 };
 
+const thousands = (count: number): string => String(count).replace(/\B(?=(\d{3})+$)/g, ',');
+
+const seconds = (milliseconds: number): string =>
+  milliseconds < 995
+    ? `${Math.max(1, Math.round(milliseconds))} ms`
+    : `${(milliseconds / 1000).toFixed(1)} s`;
+
 export const WORDS = {
   title: 'Draw a line, get a form.',
   subtitle: 'Start anywhere, also right here. The hint steps aside.',
@@ -45,10 +52,14 @@ export const WORDS = {
   mode: { mesh: 'Bodies as triangles', exact: 'The exact surface of bodies' },
   exactSurface: 'Exact surface',
   exactHint: 'Bodies by a ray a pixel where all rests; triangles while anything moves (X)',
+  volumes: 'Bounding volumes',
+  volumesHint: 'Around each skel all that it can be inside of, after Zhu et al. (M)',
+  volumesSaid: (on: boolean) => (on ? 'Bounding volumes of the skels' : 'No bounding volumes'),
   noBodies: 'There is no implicit body in this drawing: all of it is triangles anyway.',
   casting: (percent: number) => `casting rays, ${percent} %`,
-  exact: (evaluations: number) =>
-    `exact, ${evaluations < 10 ? evaluations.toFixed(1) : Math.round(evaluations)} evaluations a pixel`,
+  mesh: (triangles: number) => `mesh · ${thousands(triangles)} triangles`,
+  exact: (evaluations: number, milliseconds: number) =>
+    `exact · ${evaluations < 10 ? evaluations.toFixed(1) : Math.round(evaluations)} evaluations per pixel · ${seconds(milliseconds)}`,
   notExact: 'no rays here, triangles',
   style: (name: string) => `Style: ${name.toLowerCase()}`,
   tooShort: 'A dot is too short for a tube. Draw a longer line.',
@@ -158,7 +169,7 @@ export const PART_WORDS = {
   choose: 'Tap a part in the drawing or in the list to select it.',
   strokes: (count: number) => (count === 1 ? '1 stroke' : `${count} strokes`),
   skels: (count: number) => (count === 0 ? 'shapes only' : count === 1 ? '1 skel' : `${count} skels`),
-  triangles: (count: number) => `${String(count).replace(/\B(?=(\d{3})+$)/g, ',')} triangles`,
+  triangles: (count: number) => `${thousands(count)} triangles`,
   thin: (places: number) =>
     `Hardly thicker than a cell in ${places === 1 ? '1 place' : `${places} places`}: pieces may be missing.`,
   hidden: 'hidden',
@@ -210,6 +221,7 @@ export const KEYS: readonly { readonly keys: string; readonly does: string }[] =
   { keys: 'P', does: 'Paper grain' },
   { keys: 'W', does: 'Wireframe' },
   { keys: 'X', does: 'Exact surface of bodies, or triangles' },
+  { keys: 'M', does: 'Bounding volumes of skels' },
   { keys: 'F', does: 'Full screen' },
   { keys: 'Delete', does: 'Delete what is selected' },
   { keys: 'H', does: 'Hide or show what is selected' },

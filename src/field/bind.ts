@@ -163,6 +163,6 @@ function checkedColour(colour: Colour): Colour {
   throw new FieldError(`a colour is three numbers 0–1, got ${colour}`);
 }
 
-function join(path: string, name: string): string {
+export function join(path: string, name: string): string {
   return path === '' ? name : `${path}.${name}`;
 }

@@ -1,11 +1,15 @@
-/** What a page and the worker that casts rays for it say to each other. Plain data; the large arrays are handed over. */
+/**
+ * What a page and the workers that cast rays for it say to each other: every worker hears of the picture, then of jobs, which are parts of it.
+ * Plain data; the large arrays are handed over.
+ */
 import type { Placement } from '../math/placement.ts';
 import type { FieldNode } from './node.ts';
-import type { Recast } from './rayEdges.ts';
 import type { RayCamera } from './rayImage.ts';
 
 /** A body in the picture. */
 export interface ExactBody {
+  /** of the part, which stays when it is edited: then little of the body is located anew */
+  readonly name: string;
   /** the same for the same tree: what was located of it is kept */
   readonly key: number;
   readonly node: FieldNode;
@@ -14,7 +18,7 @@ export interface ExactBody {
   readonly cells: number;
 }
 
-/** A picture that is wanted; one that was wanted before is given up. */
+/** A picture of which parts will be wanted; one that was wanted before is given up. */
 export interface Cast {
   readonly type: 'cast';
   /** rises from one to the next */
@@ -24,47 +28,65 @@ export interface Cast {
   readonly camera: RayCamera;
 }
 
+/** Rays through the middle of the pixels of some rows, from … to below …. */
+export interface BandJob {
+  readonly type: 'band';
+  readonly id: number;
+  readonly from: number;
+  readonly to: number;
+}
+
+/** Rays through another place of some pixels. */
+export interface AgainJob {
+  readonly type: 'again';
+  readonly id: number;
+  /** place among OFFSETS */
+  readonly offset: number;
+  /** of the first of these among all of the picture */
+  readonly first: number;
+  /** pixels: column + width × row */
+  readonly places: Uint32Array<ArrayBuffer>;
+}
+
 /** Nothing is wanted any more. */
 export interface StopCasting {
   readonly type: 'stop';
   readonly id: number;
 }
 
-export type ToExact = Cast | StopCasting;
+export type ToExact = Cast | BandJob | AgainJob | StopCasting;
 
 interface OfCast {
   readonly id: number;
 }
 
-/** Bodies are looked for, or rows cast: 0–1 of the first. */
+/** Bodies are looked for: 0–1 of the first. */
 interface Locating extends OfCast {
   readonly type: 'locating';
   readonly share: number;
 }
 
-/** Rows of the image, from … to below …; those between what came before and these hold nothing. */
-export interface Rows extends OfCast {
-  readonly type: 'rows';
+/** What a job found, four floats a pixel as in RayImage; without arrays where there is nothing. */
+export interface Pixels extends OfCast {
+  readonly surface: Float32Array<ArrayBuffer> | null;
+  readonly colours: Float32Array<ArrayBuffer> | null;
+}
+
+export interface Band extends Pixels {
+  readonly type: 'band';
   readonly from: number;
   readonly to: number;
-  /** of all rows */
-  readonly share: number;
-  readonly surface: Float32Array<ArrayBuffer>;
-  readonly colours: Float32Array<ArrayBuffer>;
-}
-
-/** The first image is whole; these pixels are cast again. */
-interface Edges extends OfCast {
-  readonly type: 'edges';
+  /** pixels of these rows that are to be cast again, as far as these rows tell */
   readonly places: Uint32Array<ArrayBuffer>;
-  /** for the first image, in values of one skel at one point, of each pixel */
-  readonly evaluationsAPixel: number;
-  readonly milliseconds: number;
+  /** in values of one skel at one point */
+  readonly work: number;
 }
 
-interface Again extends OfCast {
+export interface Again extends Pixels {
   readonly type: 'again';
-  readonly recast: Recast;
+  readonly offset: number;
+  readonly first: number;
+  readonly count: number;
 }
 
 interface Refused extends OfCast {
@@ -72,4 +94,4 @@ interface Refused extends OfCast {
   readonly message: string;
 }
 
-export type FromExact = Locating | Rows | Edges | Again | Refused;
+export type FromExact = Locating | Band | Again | Refused;

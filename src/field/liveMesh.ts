@@ -1,6 +1,7 @@
 /**
  * The mesh of a body that is being edited: bricks (liveField.ts), values and vertices are kept where a change does not reach them.
  */
+import { finished } from '../math/finished.ts';
 import { BrickMesh, type FieldMesh } from './brickMesh.ts';
 import type { Bricks } from './bricks.ts';
 import { BrickValues } from './brickValues.ts';
@@ -47,7 +48,7 @@ export class LiveMesh {
 
   /** Runs to the end; see `making`. */
   make(node: FieldNode): LiveMade {
-    return ended(this.making(node));
+    return finished(this.making(node));
   }
 
   /** Whether `node` differs from the body before in some of its parts or terms only, so that an edit is worth it. */
@@ -95,12 +96,5 @@ export class LiveMesh {
       bricks,
       renewed: numbers.filter((number) => renewed.has(number)).length,
     };
-  }
-}
-
-function ended<T>(steps: Generator<number, T>): T {
-  for (;;) {
-    const { done, value } = steps.next();
-    if (done) return value;
   }
 }

@@ -6,6 +6,7 @@
  * The steps are generators that yield the share done of the step they are at, so that a worker may pause or give up between
  * them; `polygonize` runs all of them at once.
  */
+import { finished } from '../math/finished.ts';
 import type { Box } from '../skeleton/skeleton.ts';
 import { BrickMesh, type FieldMesh } from './brickMesh.ts';
 import { type Bricks, culling } from './bricks.ts';
@@ -45,11 +46,7 @@ function* partOf<T>(steps: Generator<number, T>, first: number, last: number): G
 
 /** Runs to the end; see `polygonizing`. */
 export function polygonize(field: TreeField, resolution: number, box: Box | null = field.box): Polygonized {
-  const work = polygonizing(field, resolution, box);
-  for (;;) {
-    const { done, value } = work.next();
-    if (done) return value;
-  }
+  return finished(polygonizing(field, resolution, box));
 }
 
 /** What a field is asked through, and the lattice of its body. */

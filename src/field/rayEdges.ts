@@ -2,10 +2,10 @@
  * More than one ray a pixel, where one is not enough: at edges. Everywhere else the surface is so even across a pixel that what another ray
  * through it meets is told by the plane that touches it (Whitted 1980 and Akenine-Möller et al. call it adaptive supersampling).
  */
-import { add3, dot3, rotate3, scale3 } from '../math/tuple.ts';
+import { rotate3 } from '../math/tuple.ts';
 import type { Vec3 } from '../math/vec.ts';
 import { eyeDistance } from '../stroke/plane.ts';
-import { back, NOWHERE, PASSED, type RayCamera, type RayImage, rayOf } from './rayImage.ts';
+import { back, NOWHERE, PASSED, type RayCamera, type RayImage } from './rayImage.ts';
 
 /** Where in the pixel rays go through, after the first in its middle: the four places of hardware multisampling, which triangles get. */
 export const OFFSETS: readonly (readonly [x: number, y: number])[] = [
@@ -100,7 +100,7 @@ export function imageThrough(
   return image;
 }
 
-/** The planes that touch the surface in pixels. */
+/** The planes that touch the surface in pixels. In the camera's axes: the pivot is the origin, z points to the eye. Makes no objects: it is asked for every pixel. */
 class Planes {
   /** mm at the pivot */
   readonly pixel: number;
@@ -108,43 +108,53 @@ class Planes {
   readonly #right: Vec3;
   readonly #up: Vec3;
   readonly #back: Vec3;
-  readonly #eye: number | null;
+  /** one over how far the eye is from the pivot; 0 without an eye */
+  readonly #bent: number;
 
   constructor(camera: RayCamera) {
     const { rotation } = camera.view;
+    const eye = eyeDistance(camera.view);
     this.#camera = camera;
     this.pixel = camera.view.height / camera.height;
     this.#right = rotate3(rotation, [1, 0, 0]);
     this.#up = rotate3(rotation, [0, 1, 0]);
     this.#back = back(camera.view);
-    this.#eye = eyeDistance(camera.view);
+    this.#bent = eye === null ? 0 : 1 / eye;
   }
 
   /** Sine of the angle between plane and ray. */
   facing(surface: Float32Array, at: number): number {
-    return -dot3(normalAt(surface, at), this.#along(at, 0, 0));
+    const [x, y] = [this.#aside(at, 0), this.#above(at, 0)];
+    return this.#against(surface, at, x, y) / Math.sqrt(1 + x * x + y * y);
   }
 
   /** How many mm the plane of a pixel lies before the pivot's, dx pixels to the right and dy down. */
   depth(surface: Float32Array, at: number, dx: number, dy: number): number {
     const before = surface[4 * at + 3]!;
-    const normal = normalAt(surface, at);
-    const along = this.#along(at, dx, dy);
-    const size = this.pixel * (this.#eye === null ? 1 : (this.#eye - before) / this.#eye);
-    const aside = add3(scale3(this.#right, dx * size), scale3(this.#up, -dy * size));
-    const slope = dot3(normal, along);
-    return slope === 0 ? before : before - (dot3(normal, aside) / slope) * dot3(along, this.#back);
+    const size = this.pixel * (1 - before * this.#bent);
+    const off = size * (dx * dotAt(surface, at, this.#right) - dy * dotAt(surface, at, this.#up));
+    const slope = this.#against(surface, at, this.#aside(at, dx), this.#above(at, dy));
+    return slope === 0 ? before : before - off / slope;
   }
 
-  #along(at: number, dx: number, dy: number): Vec3 {
-    if (this.#eye === null) return scale3(this.#back, -1);
-    const { width } = this.#camera;
-    return rayOf(this.#camera, (at % width) + dx, Math.floor(at / width) + dy).along;
+  /** Of the normal along a ray that goes x to the right and y up for each mm away from the eye. */
+  #against(surface: Float32Array, at: number, x: number, y: number): number {
+    const straight = dotAt(surface, at, this.#back);
+    if (this.#bent === 0) return straight;
+    return straight - x * dotAt(surface, at, this.#right) - y * dotAt(surface, at, this.#up);
+  }
+
+  #aside(at: number, dx: number): number {
+    const { width, offset } = this.#camera;
+    return ((at % width) + dx + offset[0] - width / 2) * this.pixel * this.#bent;
+  }
+
+  #above(at: number, dy: number): number {
+    const { width, height, offset } = this.#camera;
+    return (height / 2 - Math.floor(at / width) - dy - offset[1]) * this.pixel * this.#bent;
   }
 }
 
-const normalAt = (surface: Float32Array, at: number): Vec3 => [
-  surface[4 * at]!,
-  surface[4 * at + 1]!,
-  surface[4 * at + 2]!,
-];
+/** Of a pixel's normal. */
+const dotAt = (surface: Float32Array, at: number, [x, y, z]: Vec3): number =>
+  surface[4 * at]! * x + surface[4 * at + 1]! * y + surface[4 * at + 2]! * z;

@@ -23,7 +23,10 @@ export interface RayImage {
    * pivot that faces the camera; NOWHERE and no normal where there is none.
    */
   readonly surface: Float32Array;
-  /** Four a pixel: red, green, blue (0–1, linear), 1 where there is surface; where there is none, PASSED instead of red if a ray passed one by less than a pixel. */
+  /**
+   * Four a pixel: red, green, blue (0–1, linear), and 1 + the place of the body among those that were cast. Where there is none 0, and PASSED
+   * instead of red if a ray passed one by less than a pixel.
+   */
   readonly colours: Float32Array;
 }
 

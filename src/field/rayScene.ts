@@ -7,6 +7,7 @@ import { dot3, rotate3, sub3, unrotate3 } from '../math/tuple.ts';
 import type { Quat, Vec3 } from '../math/vec.ts';
 import { project } from '../stroke/plane.ts';
 import type { View } from '../stroke/stroke.ts';
+import type { Lattice } from './lattice.ts';
 import type { Located } from './polygonize.ts';
 import { type Ray, Raycaster } from './raycast.ts';
 import { back, NOWHERE, PASSED, type RayCamera, type RayImage, rayOf } from './rayImage.ts';
@@ -18,7 +19,7 @@ export interface Standing {
 }
 
 /** Pixels, from … to below …. */
-interface Frame {
+export interface Frame {
   readonly left: number;
   readonly right: number;
   readonly top: number;
@@ -53,12 +54,12 @@ export class SceneCaster {
     return [Math.min(...frames.map(({ top }) => top)), Math.max(...frames.map(({ bottom }) => bottom))];
   }
 
-  /** The pixels of a row, written into `image`, where nothing is yet. */
-  row(image: RayImage, y: number): void {
+  /** The pixels of row `y`, written into that row of `image`, or into row `at`, where nothing is yet. */
+  row(image: RayImage, y: number, at = y): void {
     for (const body of this.#bodies) {
       const { left, right, top, bottom } = body.frame;
       if (y < top || y >= bottom) continue;
-      for (let x = left; x < right; x++) body.cast(image, 4 * (y * image.width + x), x, y);
+      for (let x = left; x < right; x++) body.cast(image, 4 * (at * image.width + x), x, y);
     }
   }
 
@@ -97,7 +98,7 @@ class BodyCaster {
     this.#rotation = placement.rotation;
     this.#back = back(this.#camera.view);
     this.#number = number;
-    this.frame = frameOf(located, this.#camera);
+    this.frame = frameOf(located.bricks.lattice, this.#camera);
   }
 
   /** Writes what is nearer than what is there. */
@@ -141,10 +142,9 @@ const times = ([ax, ay, az, aw]: Quat, [bx, by, bz, bw]: Quat): Quat => [
   aw * bw - ax * bx - ay * by - az * bz,
 ];
 
-/** All of the picture where a corner of the lattice is behind the eye. */
-function frameOf({ bricks }: Standing['located'], camera: RayCamera): Frame {
+/** Where a lattice may be seen: all of the picture where a corner of it is behind the eye. */
+export function frameOf({ origin, counts, step }: Lattice, camera: RayCamera): Frame {
   const { width, height } = camera;
-  const { origin, counts, step } = bricks.lattice;
   const corners = [0, 1, 2, 3, 4, 5, 6, 7].map((corner): Vec3 => {
     const side = (axis: 0 | 1 | 2) => origin[axis] + ((corner >> axis) & 1) * (counts[axis] - 1) * step;
     return [side(0), side(1), side(2)];

@@ -1,21 +1,17 @@
 /**
  * Rays onto a sum of skels as Zhu et al. 2011 §4.2.3 cast them: through bounding volumes (zhuVolumes.ts) in steps of half their radius;
  * where the slope along the ray has turned without a hit, back by half the step, and so on; then bisection. To be compared with
- * raycast.ts: every value asks all skels, and a surface that lies between two steps with the same slope is passed.
+ * raycast.ts (zhuImage.ts): every value asks all skels, and a surface that lies between two steps with the same slope is passed.
  *
  * Departure: the paper does not say when stepping back ends; here at `SMALLEST` of the step, and the march goes on.
  */
-import { kernelNamed } from '../kernel/index.ts';
 import type { Vec3 } from '../math/vec.ts';
 import { WITH_GRADIENT } from '../skeleton/work.ts';
-import { bindField, boundTerms } from './bind.ts';
-import { expanded } from './expand.ts';
+import { bindField } from './bind.ts';
 import type { SkelsNode } from './node.ts';
 import type { TreeField } from './treeField.ts';
-import { type Volume, volumesOf, within } from './zhuVolumes.ts';
+import { boundingVolumes, OVERLAP, piecesOf, type Volume, within } from './zhuVolumes.ts';
 
-/** skels that may overlap in a place: N of eq. 18 */
-export const OVERLAP = 8;
 /** parts of a step */
 const SMALLEST = 1 / 64;
 /** halvings between a place outside and one inside */
@@ -25,33 +21,24 @@ export class ZhuMarch {
   /** asked of skels, in values of one (skeleton/work.ts) */
   work = 0;
   readonly volumes: readonly Volume[];
-  readonly #field: TreeField;
+  readonly field: TreeField;
   readonly #skels: number;
   readonly #value = new Float64Array(4);
 
-  /** Skels without sections. */
+  /** FieldError for a tree without a field; skels must be without cross sections. */
   constructor(node: SkelsNode, overlap = OVERLAP) {
-    const { kernel, params, threshold } = node;
-    this.#field = bindField(node);
-    const pieces = node.skels.flatMap((term) => {
-      const bound = boundTerms(term, node);
-      const skels = expanded(term.skel, kernelNamed(kernel)!, params, threshold);
-      return skels.map((skel, i) => ({ skel, ...bound[i]! }));
-    });
-    const shared = threshold / Math.min(pieces.length, overlap);
-    this.#skels = pieces.length;
-    this.volumes = pieces.flatMap(({ skel, field, factor }) =>
-      volumesOf(skel, field.offset(shared / Math.abs(factor))),
-    );
+    this.field = bindField(node);
+    this.#skels = piecesOf(node).length;
+    this.volumes = boundingVolumes(node, overlap);
   }
 
-  /** mm along the ray to the hit; null for none. */
-  cast(from: Vec3, ray: Vec3): number | null {
+  /** mm along the ray to the hit; null for none from `nearest` mm on. */
+  cast(from: Vec3, ray: Vec3, nearest = 0): number | null {
     const parts = this.volumes
       .flatMap((volume) => within(volume, from, ray).map(([s, t]) => ({ s, t, step: 0.5 * volume.radius })))
-      .filter(({ t }) => t > 0)
+      .filter(({ t }) => t > nearest)
       .sort((a, b) => a.s - b.s);
-    let done = 0;
+    let done = nearest;
     for (const { s, t, step } of parts) {
       const hit = t > done ? this.#march(from, ray, Math.max(s, done), t, step) : null;
       if (hit !== null) return hit;
@@ -94,7 +81,7 @@ export class ZhuMarch {
       const middle = 0.5 * (low + high);
       this.work += this.#skels;
       const [x, y, z] = place(from, ray, middle);
-      if (this.#field.value(x, y, z) > 0) high = middle;
+      if (this.field.value(x, y, z) > 0) high = middle;
       else low = middle;
     }
     return high;
@@ -103,7 +90,7 @@ export class ZhuMarch {
   #at(from: Vec3, ray: Vec3, t: number) {
     this.work += WITH_GRADIENT * this.#skels;
     const value = this.#value;
-    this.#field.evaluate(...place(from, ray, t), value);
+    this.field.evaluate(...place(from, ray, t), value);
     return { value: value[0]!, slope: value[1]! * ray[0] + value[2]! * ray[1] + value[3]! * ray[2] };
   }
 }

@@ -37,3 +37,7 @@ export const numberOf = <K extends Ingredient>(kind: K, name: Named<K>): number 
 /** Each once, in the order of the registry: fields of the same make ask for the same pipeline. */
 export const namesOf = <K extends Ingredient>(ingredients: Ingredients, kind: K): readonly Named<K>[] =>
   (REGISTRY[kind] as readonly Named<K>[]).filter((name) => ingredients[kind].has(name as never));
+
+/** The same for the same names of every kind. */
+export const keyOf = (ingredients: Ingredients): string =>
+  KINDS.map((kind) => namesOf(ingredients, kind).join(' ')).join(', ');

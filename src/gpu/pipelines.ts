@@ -2,7 +2,7 @@
  * Compute pipelines, made once a device for each entry × ingredients: parameters, weights, places and the tree itself are
  * data, so that nothing compiles when they change.
  */
-import { type Ingredients, KINDS, namesOf } from './ingredients.ts';
+import { type Ingredients, keyOf } from './ingredients.ts';
 import { compile, link } from './link.ts';
 import { fieldModules } from './modules.ts';
 
@@ -31,7 +31,7 @@ const made = new WeakMap<GPUDevice, Map<string, FieldPipelines>>();
 export function fieldPipelines(device: GPUDevice, ingredients: Ingredients): FieldPipelines {
   const known = made.get(device) ?? new Map<string, FieldPipelines>();
   made.set(device, known);
-  const key = KINDS.map((kind) => namesOf(ingredients, kind).join(' ')).join(', ');
+  const key = keyOf(ingredients);
   const pipelines = known.get(key) ?? prepare(device, ingredients, key);
   known.set(key, pipelines);
   return pipelines;

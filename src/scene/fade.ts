@@ -3,7 +3,7 @@
  * laid over those of the other, ever lighter. Departure: pictures are blended, not meshes: nothing has to be sorted, no line is
  * drawn twice, and every style fades alike, as long as the camera rests.
  */
-import { float, screenUV, texture, uniform, vec4 } from 'three/tsl';
+import { float, min, mix, screenUV, texture, uniform, vec4 } from 'three/tsl';
 import {
   CustomBlending,
   type Node,
@@ -14,19 +14,25 @@ import {
 } from 'three/webgpu';
 import { makeOutput } from './targets.ts';
 
-/** of the picture's height */
+/** of the picture's height: a kernel that finds lines looks a few pixels across the border of what is known … */
 const BORDER = 0.01;
+/** … which is no line itself */
+const SOFT = 0.05;
+
+/** Rows of a picture, from … to …, 0–1 from the top. */
+export type Known = readonly [from: number, to: number];
+export const ALL: Known = [0, 1];
 
 export class Fade {
   /** the picture that is kept; takes no memory worth naming while there is none */
   readonly kept: RenderTarget = makeOutput();
   readonly over: NodeMaterial;
-  /** rows from the top, 0–1, below which nothing else is seen */
-  readonly known = uniform(1);
+  readonly #from = uniform(-1);
+  readonly #to = uniform(2);
   readonly #opacity = uniform(0);
 
   constructor() {
-    this.over = overMaterial(this.kept, this.#opacity, this.known);
+    this.over = overMaterial(this.kept, this.#opacity, this.#from, this.#to);
   }
 
   /** Of the picture that is kept, 0–1. */
@@ -39,15 +45,26 @@ export class Fade {
     if (this.share === 0) this.kept.setSize(1, 1);
   }
 
+  /** Rows from the top, 0–1, above and below which nothing else is seen. */
+  set known([from, to]: Known) {
+    this.#from.value = from > 0 ? from + BORDER : -1;
+    this.#to.value = to < 1 ? to - BORDER : 2;
+  }
+
   dispose(): void {
     this.kept.dispose();
     this.over.dispose();
   }
 }
 
-function overMaterial(kept: RenderTarget, share: Node<'float'>, known: Node<'float'>): NodeMaterial {
-  // a kernel that finds lines looks a few pixels across the border
-  const opacity = screenUV.y.add(BORDER).greaterThan(known).and(known.lessThan(1)).select(float(1), share);
+function overMaterial(
+  kept: RenderTarget,
+  share: Node<'float'>,
+  from: Node<'float'>,
+  to: Node<'float'>,
+): NodeMaterial {
+  const within = min(screenUV.y.sub(from), to.sub(screenUV.y)).div(SOFT).saturate();
+  const opacity = mix(float(1), share, within);
   const material = new NodeMaterial();
   material.name = 'the picture before';
   material.depthTest = false;

@@ -5,7 +5,13 @@ import type { Look } from './look.ts';
 import type { SceneItem } from './part.ts';
 import { type Hit, pick } from './pick.ts';
 import { type PictureOptions, Studio, takePicture } from './picture.ts';
-import { FINE_LINE_TEXELS, LINE_TEXELS, LINE_TEXELS_IN_SOFTWARE, Pipeline } from './pipeline.ts';
+import {
+  FINE_LINE_TEXELS,
+  LINE_TEXELS,
+  LINE_TEXELS_IN_SOFTWARE,
+  Pipeline,
+  type Refining,
+} from './pipeline.ts';
 import { type Backend, createRenderer, type SceneRenderer } from './renderer.ts';
 import type { SurfaceImage } from './surfaceImage.ts';
 
@@ -16,6 +22,7 @@ export { type Background, DEFAULT_LOOK, type KernelChoice, type Look, type Style
 export type { SceneItem } from './part.ts';
 export type { Hit } from './pick.ts';
 export type { PictureOptions } from './picture.ts';
+export type { Refining } from './pipeline.ts';
 export type { Backend } from './renderer.ts';
 export type { SurfaceImage } from './surfaceImage.ts';
 export { type Face, FRONT_VIEW } from './view.ts';
@@ -43,6 +50,8 @@ export interface Scene {
    */
   sync(items: readonly SceneItem[]): void;
   setLook(look: Look): void;
+  /** Lines over the picture on the screen, six numbers each, mm; compared by reference. Null: none. */
+  guide(ends: Float32Array | null): void;
   /** CSS pixels, and device pixels a CSS pixel */
   resize(width: number, height: number, devicePixelRatio: number): void;
   /** CSS pixels from the upper left; previews too, the id tells; items with the ids of `except` are looked through */
@@ -75,13 +84,6 @@ export interface Scene {
   /** Draws a frame and resolves when it is on the screen with all its pipelines compiled. */
   compile(): Promise<void>;
   dispose(): void;
-}
-
-export interface Refining {
-  /** images after which nothing is seen any more of the frame with triangles */
-  readonly enough?: number;
-  /** how much of the image is there, 0–1 from the top: the rest shows that frame */
-  readonly known?: number;
 }
 
 export interface SceneOptions {
@@ -149,6 +151,7 @@ function makeScene(made: SceneRenderer, options: SceneOptions): Scene {
       if (pipeline.parts.sync(items)) rig.setBounds(pipeline.parts.ball);
     },
     setLook: (look) => pipeline.setLook(look),
+    guide: (ends) => pipeline.guide(ends),
     resize(newWidth, newHeight, devicePixelRatio) {
       width = newWidth;
       height = newHeight;

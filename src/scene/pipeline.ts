@@ -3,7 +3,7 @@
  *
  *   1 lines    parts → normals and depth, one sample a texel                   when the style draws lines
  *   2 edges    a kernel over them → how much of a texel is line                alike
- *   3 colour   parts in the style's material, wires, grid → 4 samples a pixel  unless there is nothing to fill
+ *   3 colour   parts in the style's material, wires, grid, guides → 4 samples a pixel  unless there is nothing to fill
  *   4 preview  forms not yet kept, lightly → 4 samples a pixel                 when there are any
  *   5 mask     what is selected, and what hides it → 4 samples a pixel         when anything is
  *   6 page     paper, colour, lines, preview, blue contour → the canvas, or a target of its own for a picture
@@ -29,8 +29,9 @@ import {
 } from 'three/webgpu';
 import type { Vec3 } from '../math/vec.ts';
 import type { View } from '../stroke/stroke.ts';
-import { Fade } from './fade.ts';
+import { ALL, Fade, type Known } from './fade.ts';
 import { Grid } from './grid.ts';
+import { Guides } from './guides.ts';
 import { type Kernel, LineUniforms } from './hbed.ts';
 import { ImageInputs } from './imageInputs.ts';
 import { ImageProxy } from './imageProxy.ts';
@@ -79,6 +80,15 @@ export interface PipelineOptions {
   readonly output?: RenderTarget;
 }
 
+export interface Refining {
+  /** images after which nothing is seen any more of the frame with triangles */
+  readonly enough?: number;
+  /** the rows of the image that are there: the others show that frame */
+  readonly known?: Known;
+  /** it is a frame of its own, like one that `render` draws: the view may be another one */
+  readonly alone?: boolean;
+}
+
 export class Pipeline {
   readonly parts: Parts;
   /** of the last frame, over all passes */
@@ -87,6 +97,7 @@ export class Pipeline {
   readonly #renderer: WebGPURenderer;
   readonly #options: PipelineOptions;
   readonly #grid = new Grid();
+  readonly #guides = new Guides();
   readonly #lines = new LineUniforms();
   readonly #ink = new InkUniforms();
   readonly #page = new PageUniforms();
@@ -117,7 +128,7 @@ export class Pipeline {
     this.#materials = new Materials(renderer, uniforms, this.#targets, this.#grain.texture);
     this.parts = new Parts(this.#materials, this.#fill('toon'), this.#seam);
     this.#quad = new QuadMesh(this.#materials.occluder);
-    this.parts.colour.add(this.#grid.mesh);
+    this.parts.colour.add(this.#grid.mesh, this.#guides.lines);
     this.setLook(DEFAULT_LOOK);
   }
 
@@ -137,7 +148,9 @@ export class Pipeline {
     const ink = displayRgb(lineColour(look.background));
     this.#page.paper.value.set(...displayRgb(PAPER_COLOUR[look.background]));
     this.#page.line.value.set(...ink);
-    this.#selection.pencil.value.set(...displayRgb(pencilColour(look.background)));
+    const pencil = displayRgb(pencilColour(look.background));
+    this.#selection.pencil.value.set(...pencil);
+    this.#guides.setColour(pencil);
     this.#page.grain.value = look.grain && look.background === 'paper' ? GRAIN : 0;
     this.#ink.colour.value.set(...ink);
     this.#ink.chalk.value = isDark(look.background) ? 1 : 0;
@@ -148,6 +161,11 @@ export class Pipeline {
     this.parts.setFill(this.#fill(look.style));
     this.parts.setWireframe(look.wireframe);
     this.#scaleLines();
+  }
+
+  /** Lines over the picture, six numbers each, mm; null: none. */
+  guide(ends: Float32Array | null): void {
+    if (this.#guides.put(ends)) this.#forget();
   }
 
   /** CSS pixels, and device pixels a CSS pixel. */
@@ -175,13 +193,20 @@ export class Pipeline {
 
   /**
    * The picture with surfaces from this image, and the mean of it and those before since the last `render`. What `render` drew is seen
-   * through it until there are `enough` of them; below the row `known` (0–1 from the top) it is all that is seen. False where there is
-   * nothing to see through.
+   * through it until there are `enough` of them; above and below the rows that are `known` it is all that is seen. False where there is
+   * nothing to see through. `alone` it is what is drawn, as by `render`.
    */
-  refine(camera: ViewCamera, view: View, image: SurfaceImage, { enough = 1, known = 1 } = {}): boolean {
+  refine(
+    camera: ViewCamera,
+    view: View,
+    image: SurfaceImage,
+    { enough = 1, known = ALL, alone = false }: Refining = {},
+  ): boolean {
+    const isPart = alone || known[0] > 0 || known[1] < 1;
     const refinement = this.#refinement;
-    if (!refinement.isBegun && !this.keep()) return false;
-    refinement.isBegun = true;
+    if (alone) refinement.end();
+    else if (!refinement.isBegun && !this.keep()) return false;
+    refinement.isBegun = !alone;
     this.#image.put(image, this.#seam);
     this.#image.tell(this.parts.leaveOut(image.items));
     this.#image.pivot.value = viewZ(camera, view.pivot);
@@ -192,15 +217,16 @@ export class Pipeline {
     const sheet = jittered(camera, this.#renderer, image.camera, () => this.#passes(camera, view));
     proxy.visible = false;
     this.parts.takeIn(image.items);
-    if (known < 1) this.#cover(sheet, this.#output);
+    if (alone) this.#sheet = sheet;
+    if (isPart) this.#cover(sheet, this.#output);
     else {
       refinement.resize(this.#size.x, this.#size.y);
       this.#cover(sheet, refinement.sample);
       this.#blend(refinement.add(), refinement.mean);
       this.#cover(refinement.shown, this.#output);
     }
-    this.#fade.known.value = known;
-    this.#fade.share = 1 - (known < 1 ? 1 : refinement.count) / enough;
+    this.#fade.known = known;
+    this.#fade.share = 1 - (isPart ? 1 : refinement.count) / enough;
     if (this.#fade.share > 0) this.#blend(this.#fade.over, this.#output);
     this.#finish();
     return true;
@@ -213,14 +239,14 @@ export class Pipeline {
     this.#cover(this.#sheet, this.#fade.kept);
     this.#renderer.setRenderTarget(null);
     this.#fade.share = 1;
-    this.#fade.known.value = 1;
+    this.#fade.known = ALL;
     return true;
   }
 
   #passes(camera: ViewCamera, view: View): NodeMaterial {
     const { style, grid, wireframe } = this.#look;
     const kernel = this.parts.hasKept ? this.#kernel() : null;
-    const fills = style !== 'hbed-lines' || grid || wireframe;
+    const fills = style !== 'hbed-lines' || grid || wireframe || this.#guides.lines.visible;
     const { hasPreview, hasSelected } = this.parts;
     const { lines, edges, colour, preview, selection } = this.#targets;
     this.#renderer.info.reset();
@@ -252,6 +278,7 @@ export class Pipeline {
     this.#image.dispose();
     this.parts.dispose();
     this.#grid.dispose();
+    this.#guides.dispose();
     this.#grain.dispose();
     for (const target of Object.values(this.#targets)) target.dispose();
     this.#materials.dispose();

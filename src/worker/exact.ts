@@ -1,12 +1,14 @@
 /**
- * Casts rays onto bodies beside the page: first one a pixel, row by row, then more at edges. The latest wish wins. What was located of a
- * body, its bricks and near lists, is kept for the next picture, so that turning the camera only casts rays.
+ * Casts rays onto bodies beside the page, as one of several (element/rayWorker.ts): it hears of a picture, locates its bodies, and casts the
+ * parts of it that it is given, bands of rows and pixels at edges. The latest picture wins.
+ *
+ * Each worker locates for itself, and keeps what it located (locatedBodies.ts): lists of objects cannot be shared, and it is 3 % of the
+ * work of rays onto the whale.
  */
-import { bindField } from '../field/bind.ts';
-import type { Cast, ExactBody, FromExact, ToExact } from '../field/exactWork.ts';
-import { type Located, locating } from '../field/polygonize.ts';
-import { edgesOf, OFFSETS, type Recast } from '../field/rayEdges.ts';
+import type { AgainJob, Band, BandJob, Cast, FromExact, Pixels, ToExact } from '../field/exactWork.ts';
+import { edgesOf, OFFSETS } from '../field/rayEdges.ts';
 import { emptyImage, type OwnImage, SceneCaster, type Standing } from '../field/rayScene.ts';
+import { LocatedBodies } from './locatedBodies.ts';
 import { sliced } from './sliced.ts';
 
 /** What this file needs of the scope of a worker, whose types cannot be there beside those of a page. */
@@ -15,128 +17,136 @@ interface Scope {
   postMessage(message: FromExact, transfer: readonly ArrayBufferLike[]): void;
 }
 
-/** ms between two parts of the image */
-const PART = 200;
-/** active bricks that are kept beyond those of the picture, some 10 kB each */
-const MOST_BRICKS = 10_000;
+/** A picture whose bodies are located. */
+interface Picture {
+  readonly cast: Cast;
+  readonly bodies: readonly Standing[];
+  /** by the place of their rays in the pixels: among OFFSETS, or MIDDLE */
+  readonly casters: Map<number, SceneCaster>;
+}
+
+const MIDDLE = -1;
+/** pixels between two looks at the clock */
+const BATCH = 64;
 
 const scope = self as unknown as Scope;
 let wish: Cast | null = null;
+let jobs: (BandJob | AgainJob)[] = [];
 let latest = 0;
 let working = false;
-/** oldest first */
-const kept = new Map<string, Located>();
+let picture: Picture | null = null;
+const kept = new LocatedBodies();
 
 scope.onmessage = ({ data }) => {
-  wish = data.type === 'cast' ? data : null;
   latest = data.id;
-  if (wish && !working) void work();
+  if (data.type === 'band' || data.type === 'again') jobs.push(data);
+  else {
+    wish = data.type === 'cast' ? data : null;
+    jobs = [];
+    picture = null;
+  }
+  if (!working) void work();
 };
 
 async function work(): Promise<void> {
   working = true;
-  while (wish) {
-    const job: Cast = wish;
-    wish = null;
+  while (wish || jobs.length > 0) {
+    const { id } = (wish ?? jobs[0])!;
     try {
-      await cast(job);
+      if (wish) await begin(wish);
+      else await cast(jobs.shift()!);
     } catch (error) {
-      say({ type: 'refused', id: job.id, message: error instanceof Error ? error.message : String(error) });
+      say({ type: 'refused', id, message: error instanceof Error ? error.message : String(error) });
     }
   }
   working = false;
 }
 
-async function cast(job: Cast): Promise<void> {
+async function begin(asked: Cast): Promise<void> {
+  wish = null;
   const bodies: Standing[] = [];
-  for (const body of job.bodies) {
-    const located = await locatedOf(body, job);
+  const { id, bodies: all } = asked;
+  for (const [i, body] of all.entries()) {
+    const isEdit = kept.isEdit(body);
+    // also for another picture
+    const wanted = () =>
+      isEdit || id === latest || (wish?.bodies.some(({ key }) => key === body.key) ?? false);
+    const progress = (share: number) => say({ type: 'locating', id, share: (i + share) / all.length });
+    const located = await sliced(kept.locating(body), wanted, progress);
     if (!located) return;
     bodies.push({ located, placement: body.placement });
+    if (id !== latest) return;
   }
-  forget(job.bodies.length);
+  kept.trim(all.map(({ name }) => name));
+  picture = { cast: asked, bodies, casters: new Map() };
+}
+
+/** What is not of the picture at hand was given up, or refused. */
+async function cast(job: BandJob | AgainJob): Promise<void> {
+  if (picture?.cast.id !== job.id) return;
   const wanted = () => job.id === latest;
-  const start = performance.now();
+  if (job.type === 'band') await band(job, picture, wanted);
+  else await again(job, picture, wanted);
+}
+
+async function band({ id, from, to }: BandJob, { cast, bodies, ...all }: Picture, wanted: () => boolean) {
   const before = workOf(bodies);
-  const image = await sliced(rowsOf(job, bodies), wanted);
+  const image = await sliced(rowsOf(casterOf({ cast, bodies, ...all }, MIDDLE), cast, from, to), wanted);
   if (!image) return;
-  const { camera, id } = job;
-  const milliseconds = performance.now() - start;
-  const evaluationsAPixel = (workOf(bodies) - before) / (camera.width * camera.height);
-  const places = edgesOf(image, camera);
-  scope.postMessage({ type: 'edges', id, places, evaluationsAPixel, milliseconds }, []);
-  for (const offset of OFFSETS) {
-    const recast = await sliced(again(job, bodies, places, offset), wanted);
-    if (!recast) return;
-    scope.postMessage({ type: 'again', id, recast }, [recast.surface.buffer, recast.colours.buffer]);
-  }
+  const { width, offset } = cast.camera;
+  // rows are counted from the first of these
+  const places = edgesOf(image, { ...cast.camera, offset: [offset[0], offset[1] + from] });
+  for (let i = 0; i < places.length; i++) places[i]! += from * width;
+  const facts = { type: 'band', id, from, to, places, work: workOf(bodies) - before } as const;
+  hand<Band>({ ...facts, ...arraysOf(image) });
 }
 
-const workOf = (bodies: readonly Standing[]): number =>
-  [...new Set(bodies.map(({ located }) => located.tally))].reduce((sum, { work }) => sum + work, 0);
-
-/** Goes on as long as this body is wanted, also for another picture. */
-async function locatedOf({ key, node, cells }: ExactBody, { id }: Cast): Promise<Located | null> {
-  const name = `${key} ${cells}`;
-  const known = kept.get(name);
-  kept.delete(name);
-  const wanted = () => id === latest || (wish?.bodies.some((body) => body.key === key) ?? false);
-  const progress = (share: number) => say({ type: 'locating', id, share });
-  const located = known ?? (await sliced(locating(bindField(node), cells), wanted, progress));
-  if (located) kept.set(name, located);
-  return located;
-}
-
-/** What was not looked at for long goes, where there is too much. */
-function forget(needed: number): void {
-  const others = [...kept].slice(0, -needed);
-  let bricks = others.reduce((sum, [, located]) => sum + located.bricks.active.length, 0);
-  for (const [name, located] of others) {
-    if (bricks <= MOST_BRICKS) return;
-    bricks -= located.bricks.active.length;
-    kept.delete(name);
-  }
-}
-
-/** The image, told in parts. */
-function* rowsOf({ id, camera }: Cast, bodies: readonly Standing[]): Generator<number, OwnImage> {
-  const image = emptyImage(camera);
-  const caster = new SceneCaster(bodies, camera);
-  const [first, end] = caster.rows;
-  let told = first;
-  let due = performance.now() + PART;
-  for (let row = first; row < end; row++) {
-    caster.row(image, row);
-    const share = (row + 1 - first) / (end - first);
-    if (row + 1 === end || performance.now() > due) {
-      const part = [4 * told * image.width, 4 * (row + 1) * image.width] as const;
-      const [surface, colours] = [image.surface.slice(...part), image.colours.slice(...part)];
-      const rows = { type: 'rows', id, from: told, to: row + 1, share, surface, colours } as const;
-      scope.postMessage(rows, [surface.buffer, colours.buffer]);
-      told = row + 1;
-      due = performance.now() + PART;
-    }
-    yield share;
+function* rowsOf(
+  caster: SceneCaster,
+  { camera }: Cast,
+  from: number,
+  to: number,
+): Generator<number, OwnImage> {
+  const image = emptyImage({ width: camera.width, height: to - from });
+  for (let row = from; row < to; row++) {
+    caster.row(image, row, row - from);
+    yield (row + 1 - from) / (to - from);
   }
   return image;
 }
 
-/** pixels between two looks at the clock */
-const BATCH = 64;
+async function again({ id, offset, first, places }: AgainJob, of: Picture, wanted: () => boolean) {
+  const image = await sliced(pixelsOf(casterOf(of, offset), of.cast, places), wanted);
+  if (image) hand({ type: 'again', id, offset, first, count: places.length, ...arraysOf(image) });
+}
 
-function* again(
-  { camera }: Cast,
-  bodies: readonly Standing[],
-  places: Uint32Array,
-  offset: Recast['offset'],
-): Generator<number, Recast & OwnImage> {
-  const caster = new SceneCaster(bodies, { ...camera, offset });
+function* pixelsOf(caster: SceneCaster, { camera }: Cast, places: Uint32Array): Generator<number, OwnImage> {
   const image = emptyImage({ width: places.length, height: 1 });
   for (const [i, at] of places.entries()) {
     caster.pixel(image, i, at % camera.width, Math.floor(at / camera.width));
     if (i % BATCH === 0) yield i / places.length;
   }
-  return { ...image, offset };
+  return image;
+}
+
+function casterOf({ cast, bodies, casters }: Picture, place: number): SceneCaster {
+  const offset = OFFSETS[place] ?? cast.camera.offset;
+  const caster = casters.get(place) ?? new SceneCaster(bodies, { ...cast.camera, offset });
+  casters.set(place, caster);
+  return caster;
+}
+
+const workOf = (bodies: readonly Standing[]): number =>
+  [...new Set(bodies.map(({ located }) => located.tally))].reduce((sum, { work }) => sum + work, 0);
+
+/** None where all of it is empty. */
+function arraysOf({ surface, colours }: OwnImage): Pick<Pixels, 'surface' | 'colours'> {
+  return colours.some((value) => value !== 0) ? { surface, colours } : { surface: null, colours: null };
+}
+
+function hand<T extends FromExact & Pixels>(message: T): void {
+  const { surface, colours } = message;
+  scope.postMessage(message, surface && colours ? [surface.buffer, colours.buffer] : []);
 }
 
 function say(message: FromExact): void {

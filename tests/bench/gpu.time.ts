@@ -6,6 +6,7 @@ import { openDevice } from '../../src/gpu/device.ts';
 import { timeCulling } from './gpuCulling.ts';
 import { timeKravtsov, timePolygonizer } from './gpuPolygonize.ts';
 import { timePolygons } from './gpuPolygons.ts';
+import { timeRays } from './gpuRaycast.ts';
 import { timeSkels } from './gpuSkels.ts';
 import { timeTrees } from './gpuTrees.ts';
 
@@ -16,6 +17,7 @@ const TABLES: Readonly<Record<string, (device: GPUDevice) => Promise<void>>> = {
   polygonizer: timePolygonizer,
   culling: timeCulling,
   kravtsov: timeKravtsov,
+  rays: timeRays,
 };
 
 // has to stay referenced while the device lives

@@ -2,6 +2,7 @@
  * The polygonizer on the GPU, a branching tree of 64 segments: values at the nodes of active bricks by near lists, against all skels at
  * all nodes of the lattice on the same adapter; then all stages of the mesh. Culling and lists are the CPU's and timed apart.
  */
+
 import { bindField } from '../../src/field/bind.ts';
 import type { Lattice } from '../../src/field/lattice.ts';
 import type { FieldNode } from '../../src/field/node.ts';
@@ -14,6 +15,7 @@ import { packBricks } from '../../src/gpu/polygonize/lists.ts';
 import { gpuPolygonizer } from '../../src/gpu/polygonize/polygonizer.ts';
 import { stagesOn } from '../../src/gpu/polygonize/stages.ts';
 import { programOf } from '../../src/gpu/program.ts';
+import { finished } from '../../src/math/finished.ts';
 import { nodeCount } from '../field/nodeCount.ts';
 import { askedOf, bricksOf } from '../fixtures/bricks.ts';
 import { valueOnly } from './gpuTiming.ts';
@@ -74,11 +76,7 @@ export async function timeKravtsov(device: GPUDevice): Promise<void> {
 }
 
 function located(node: FieldNode, cells: number): Located {
-  const steps = locating(bindField(node), cells);
-  for (;;) {
-    const { done, value } = steps.next();
-    if (done) return value;
-  }
+  return finished(locating(bindField(node), cells));
 }
 
 /** Values come back, as from any field; that is a small part of it. */

@@ -3,6 +3,7 @@
  * all nodes, exponents in n and in k at equal density, skels near a brick, time of the field stages (everything but triangles) and
  * of the whole against dense sampling, errors of vertices.
  */
+
 import { bindField } from '../../src/field/bind.ts';
 import { BrickMesh } from '../../src/field/brickMesh.ts';
 import { culling } from '../../src/field/bricks.ts';
@@ -10,6 +11,7 @@ import { BrickValues } from '../../src/field/brickValues.ts';
 import type { Lattice } from '../../src/field/lattice.ts';
 import { Tally } from '../../src/field/near.ts';
 import type { TreeField } from '../../src/field/treeField.ts';
+import { finished } from '../../src/math/finished.ts';
 import { nodeCount } from '../field/nodeCount.ts';
 import { denseTime, vertexErrors } from './polygonizing.ts';
 import { type SceneName, sceneNode } from './scenes/index.ts';
@@ -81,10 +83,7 @@ function run(field: TreeField, lattice: Lattice) {
   const tally = new Tally();
   const start = performance.now();
   const whole = field.near(tally);
-  const steps = culling(whole, lattice);
-  let step = steps.next();
-  while (!step.done) step = steps.next();
-  const bricks = step.value;
+  const bricks = finished(culling(whole, lattice));
   const culled = tally.work;
   const values = new BrickValues(whole, bricks, tally);
   const filled = bricks.active.map((_, place) => values.fill(place));

@@ -5,11 +5,12 @@ import { type Document, EMPTY_DOCUMENT } from '../../src/document/document.ts';
 import { FRONT_VIEW } from '../../src/document/drawing.ts';
 import { Exact, type Seen, shownBodies } from '../../src/element/exact.ts';
 import { type Castable, RayWorker } from '../../src/element/rayWorker.ts';
-import type { Cast, FromExact, ToExact } from '../../src/field/exactWork.ts';
+import type { Again, AgainJob, Band, BandJob, Cast, FromExact, ToExact } from '../../src/field/exactWork.ts';
 import { OFFSETS } from '../../src/field/rayEdges.ts';
 import type { Scene, SurfaceImage } from '../../src/scene/index.ts';
 
-const PIXELS = { width: 20, height: 10 };
+/** three bands */
+const PIXELS = { width: 20, height: 40 };
 const DOCUMENT: Document = apply(EMPTY_DOCUMENT, {
   type: 'addBody',
   name: 'Ball',
@@ -29,33 +30,39 @@ class FakeWorker implements Castable {
   terminate(): void {
     this.ended = true;
   }
+  get casts(): number {
+    return this.asked.filter(({ type }) => type === 'cast').length;
+  }
   get last(): Cast {
     return this.asked.filter((message) => message.type === 'cast').at(-1)!;
   }
   say(message: FromExact): void {
     this.onmessage?.call({} as Worker, { data: message } as MessageEvent<FromExact>);
   }
-  rows({ id, camera: { width, height } }: Cast, to = height): void {
-    const pixels = () => new Float32Array(4 * width * to);
-    this.say({ type: 'rows', id, from: 0, to, share: to / height, surface: pixels(), colours: pixels() });
+  /** Answers that many of the jobs in hand; there is one pixel at an edge in each band. */
+  answer(count = Infinity): void {
+    const { id, camera } = this.last;
+    for (let i = 0; i < count; i++) {
+      const job = this.asked[this.#answered++];
+      if (!job) {
+        this.#answered = this.asked.length;
+        return;
+      }
+      if (job.type === 'cast' || job.type === 'stop' || job.id !== id) i--;
+      else this.say(job.type === 'band' ? bandOf(job, camera.width) : againOf(job));
+    }
   }
-  edges({ id }: Cast): void {
-    this.say({ type: 'edges', id, places: new Uint32Array(0), evaluationsAPixel: 3, milliseconds: 1 });
-  }
-  again({ id }: Cast, count = OFFSETS.length): void {
-    for (const offset of OFFSETS.slice(0, count))
-      this.say({
-        type: 'again',
-        id,
-        recast: { offset, surface: new Float32Array(0), colours: new Float32Array(0) },
-      });
-  }
-  all(cast: Cast): void {
-    this.rows(cast);
-    this.edges(cast);
-    this.again(cast);
-  }
+  #answered = 0;
 }
+
+const NONE = { surface: null, colours: null };
+/** values of one skel that a band takes */
+const WORK = 90;
+const bandOf = ({ id, from, to }: BandJob, width: number): Band => ({
+  ...{ type: 'band', id, from, to, work: WORK, ...NONE },
+  places: Uint32Array.of(from * width + 3),
+});
+const againOf = ({ places, ...job }: AgainJob): Again => ({ ...job, ...NONE, count: places.length });
 
 let worker: FakeWorker;
 let exact: Exact;
@@ -67,9 +74,9 @@ const scene = {
   get refined() {
     return refined;
   },
-  refine(image: SurfaceImage, { known = 1 } = {}) {
+  refine(image: SurfaceImage, { known = [0, 1] } = {}) {
     drawn.push(image);
-    if (known === 1 && refined !== null) refined++;
+    if (known[0] === 0 && known[1] === 1 && refined !== null) refined++;
     return true;
   },
 } as unknown as Scene;
@@ -94,7 +101,7 @@ beforeEach(() => {
   wakes = 0;
   drawn = [];
   refined = 0;
-  exact = new Exact(() => void wakes++, new RayWorker(() => worker));
+  exact = new Exact(() => void wakes++, new RayWorker(() => worker, 1));
 });
 afterEach(() => void vi.useRealTimers());
 
@@ -115,13 +122,17 @@ describe('Exact', () => {
 
   it('draws what is there of the first image, then every image once, and leaves the picture as it is', () => {
     rested();
-    worker.rows(worker.last, 5);
+    worker.answer(1);
+    // few rows at a time would cost more than they show
     expect(exact.frame(seen())).toBe(true);
-    worker.rows(worker.last);
-    worker.edges(worker.last);
+    expect(drawn).toEqual([]);
+    vi.advanceTimersByTime(2000);
+    for (let i = 0; i < 3; i++) expect(exact.frame(seen())).toBe(true);
+    expect(drawn.length).toBe(1);
+    worker.answer(2);
     expect(exact.frame(seen())).toBe(true);
-    expect(exact.evaluationsAPixel).toBe(3);
-    worker.again(worker.last);
+    expect(exact.evaluationsAPixel).toBe((3 * WORK) / (20 * 40));
+    worker.answer();
     for (let i = 0; i < 10; i++) expect(exact.frame(seen())).toBe(true);
     expect(exact.isWhole).toBe(true);
     const offsets = drawn.map(({ camera }) => camera.offset);
@@ -131,7 +142,7 @@ describe('Exact', () => {
 
   it('begins anew with what it has when the frame is gone, as after another size', () => {
     rested();
-    worker.all(worker.last);
+    worker.answer();
     for (let i = 0; i < 10; i++) expect(exact.frame(seen())).toBe(true);
     refined = null;
     expect(exact.frame(seen())).toBe(false);
@@ -140,12 +151,12 @@ describe('Exact', () => {
     vi.advanceTimersByTime(1000);
     for (let i = 0; i < 10; i++) expect(exact.frame(seen())).toBe(true);
     expect(drawn.length).toBe(1 + OFFSETS.length);
-    expect(worker.asked.length).toBe(1);
+    expect(worker.casts).toBe(1);
   });
 
   it('casts nothing anew for another style, and all for another view', () => {
     rested();
-    worker.all(worker.last);
+    worker.answer();
     for (let i = 0; i < 10; i++) exact.frame(seen());
     drawn = [];
     const other = seen({ version: 2 });
@@ -155,9 +166,9 @@ describe('Exact', () => {
     vi.advanceTimersByTime(1000);
     for (let i = 0; i < 10; i++) exact.frame(other);
     expect(drawn.length).toBe(1 + OFFSETS.length);
-    expect(worker.asked.length).toBe(1);
+    expect(worker.casts).toBe(1);
     rested(seen({ version: 2, view: { ...FRONT_VIEW, height: 50 } }));
-    expect(worker.asked.filter(({ type }) => type === 'cast').length).toBe(2);
+    expect(worker.casts).toBe(2);
   });
 
   it('gives up at once what nobody waits for any more', () => {
@@ -165,7 +176,7 @@ describe('Exact', () => {
     const { id } = worker.last;
     exact.frame(seen({ view: { ...FRONT_VIEW, height: 50 } }));
     expect(worker.asked.at(-1)).toMatchObject({ type: 'stop' });
-    worker.say({ type: 'edges', id, places: new Uint32Array(0), evaluationsAPixel: 3, milliseconds: 1 });
+    worker.say(bandOf({ type: 'band', id, from: 16, to: 32 }, 20));
     expect(exact.evaluationsAPixel).toBeNull();
     expect(drawn).toEqual([]);
   });
@@ -187,7 +198,7 @@ describe('Exact', () => {
     const second = exact.images(BODIES, FRONT_VIEW, { width: 6, height: 8 });
     await vi.waitFor(() => expect(worker.last.camera.width).toBe(8));
     expect(exact.frame(seen())).toBe(false);
-    worker.all(worker.last);
+    worker.answer();
     expect((await first).map((image) => image().camera.offset)).toEqual([[0.5, 0.5], ...OFFSETS]);
     await vi.waitFor(() => expect(worker.last.camera.width).toBe(6));
     worker.say({ type: 'refused', id: worker.last.id, message: 'no room' });
@@ -200,10 +211,30 @@ describe('Exact', () => {
   it('ends its worker, and what waits for it, with the element', async () => {
     rested();
     const waiting = exact.images(BODIES, FRONT_VIEW, PIXELS);
-    await vi.waitFor(() => expect(worker.asked.filter(({ type }) => type === 'cast').length).toBe(2));
+    await vi.waitFor(() => expect(worker.casts).toBe(2));
     exact.stop();
     await expect(waiting).rejects.toThrow('given up');
     expect(worker.ended).toBe(true);
+  });
+
+  it('ends its worker when nobody has wanted anything for long, and starts another', () => {
+    rested();
+    worker.answer();
+    vi.advanceTimersByTime(100_000);
+    // what is seen is kept
+    expect(exact.frame(seen())).toBe(true);
+    expect(worker.ended).toBe(false);
+    exact.rest();
+    vi.advanceTimersByTime(5000);
+    rested();
+    vi.advanceTimersByTime(100_000);
+    expect(worker.ended).toBe(false);
+    exact.rest();
+    vi.advanceTimersByTime(100_000);
+    expect(worker.ended).toBe(true);
+    worker = new FakeWorker();
+    rested();
+    expect(worker.casts).toBe(1);
   });
 
   it('has no more rays than can be paid for', () => {

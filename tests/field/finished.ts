@@ -1,7 +1,1 @@
-/** Runs steps to their end. */
-export function finished<T>(steps: Generator<unknown, T>): T {
-  for (;;) {
-    const { done, value } = steps.next();
-    if (done) return value;
-  }
-}
+export { finished } from '../../src/math/finished.ts';

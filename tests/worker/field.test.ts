@@ -5,19 +5,10 @@ import type { FieldNode, SkelsNode } from '../../src/field/node.ts';
 import type { PackedBricks, PackedEdit } from '../../src/field/packedBricks.ts';
 import { body } from '../field/trees.ts';
 import { random } from '../fixtures/random.ts';
+import { FakeScope } from './scope.ts';
 
-const heard: FromWorker[] = [];
-let onMessage = (_: FromWorker): void => {};
-const scope: {
-  onmessage?: (event: { readonly data: ToWorker }) => void;
-  postMessage(message: FromWorker): void;
-} = {
-  postMessage(message) {
-    heard.push(message);
-    onMessage(message);
-  },
-};
-const say = (data: ToWorker) => scope.onmessage!({ data });
+const scope = new FakeScope<ToWorker, FromWorker>();
+const { heard, say } = scope;
 const sphere: FieldNode = { type: 'shape', shape: { type: 'sphere', radius: 10 } };
 const wish = (id: number, more: Partial<Make> = {}) =>
   say({ type: 'make', id, node: sphere, resolution: 24, mesh: 'worker', name: null, ...more });
@@ -44,7 +35,7 @@ beforeAll(async () => {
   vi.stubGlobal('self', scope);
   await import('../../src/worker/field.ts');
 });
-beforeEach(() => void heard.splice(0));
+beforeEach(() => scope.forget());
 
 describe('the worker', () => {
   test('makes a body; a fine one after its draft', async () => {
@@ -80,7 +71,7 @@ describe('the worker', () => {
     let id = first;
     let newest = first;
     const late: number[] = [];
-    onMessage = (message) => {
+    scope.onHeard = (message) => {
       if (message.type === 'made') {
         // the coarsest of what went before is welcome while there is nothing newer; all else is the latest wish's only
         const isCoarsest = message.draft && cellsOf(message) <= 28;
@@ -93,30 +84,30 @@ describe('the worker', () => {
     };
     wish(id, { resolution: 104 });
     await vi.waitFor(() => expect(heard.at(-1)).toMatchObject({ id: first + 12, draft: false }), 15_000);
-    onMessage = () => {};
+    scope.onHeard = () => {};
     expect(late).toEqual([]);
   });
 
   test('a newer wish at the second draft: of the older nothing more comes', async () => {
-    onMessage = (message) => {
+    scope.onHeard = (message) => {
       if (message.id === 40 && message.type === 'made' && cellsOf(message) > 30) wish(41);
     };
     wish(40, { resolution: 150 });
     await made(41);
-    onMessage = () => {};
+    scope.onHeard = () => {};
     const ids = heard.filter(({ type }) => type === 'made').map(({ id }) => id);
     expect(ids).toEqual([40, 40, 41]);
   });
 
   test('gives up what is no longer wanted', async () => {
-    onMessage = ({ type, id }) => {
+    scope.onHeard = ({ type, id }) => {
       if (type !== 'made' || id !== 3) return;
       wish(4);
       wish(5);
     };
     wish(3, { resolution: 150 });
     await made(5);
-    onMessage = () => {};
+    scope.onHeard = () => {};
     expect(of(3).every((message) => message.type !== 'made' || message.draft)).toBe(true);
     expect(of(4)).toEqual([]);
   });
@@ -292,13 +283,13 @@ describe('the worker', () => {
 
   test.each(['worker', 'page'] as const)('stops when told so: a mesh for the %s', async (mesh) => {
     const id = mesh === 'worker' ? 120 : 130;
-    onMessage = (message) => {
+    scope.onHeard = (message) => {
       if (message.id === id) say({ type: 'stop', id: id + 1 });
     };
     wish(id, { resolution: 150, mesh });
     await vi.waitFor(() => expect(of(id).length).toBeGreaterThan(0));
     await new Promise((done) => setTimeout(done, 100));
-    onMessage = () => {};
+    scope.onHeard = () => {};
     // what it said first was the last
     expect(of(id).length).toBe(1);
     wish(id + 2);

@@ -15,6 +15,7 @@ interface HandsHost {
   setStyle(number: number): boolean;
   toggleWires(): void;
   toggleRays(): void;
+  toggleVolumes(): void;
 }
 
 const NEARER = 1.15;
@@ -82,6 +83,9 @@ export class FieldHands {
         return true;
       case 'x':
         this.#host.toggleRays();
+        return true;
+      case 'm':
+        this.#host.toggleVolumes();
         return true;
       default:
         return this.#host.setStyle(Number(key));

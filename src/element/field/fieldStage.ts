@@ -1,5 +1,6 @@
 /** The picture of the field page: one painted part, its camera, and frames only when something moved. */
 import type { FieldMesh } from '../../field/brickMesh.ts';
+import type { Comparison } from '../../field/zhuImage.ts';
 import { cos, PI, sin } from '../../math/trig.ts';
 import type { Quat } from '../../math/vec.ts';
 import { bounds } from '../../mesh/measure.ts';
@@ -10,6 +11,8 @@ import { FRONT_VIEW, holds, type Margins } from '../../scene/view.ts';
 import type { View } from '../../stroke/stroke.ts';
 import type { ShownBody } from '../caster.ts';
 import { Exact } from '../exact.ts';
+import { Rays } from '../rays.ts';
+import { ZhuCaster } from '../zhuCaster.ts';
 
 /** From the right and a little above: degrees. */
 const [YAW, PITCH] = [32, -14];
@@ -41,6 +44,9 @@ function pointsOf(mesh: FieldMesh | DeviceMesh): ArrayLike<number> {
   return Array.from({ length: 24 }, (_, i) => ends[(Math.floor(i / 3) >> (i % 3)) & 1]![i % 3]!);
 }
 
+/** Whose rays: ours, or Zhu et al.'s beside them. */
+export type RayScheme = 'bricks' | 'zhu';
+
 /** Whether a body is to fill the picture: always; where it grows under the controls; where it is of quite another size. */
 export type Fit = 'always' | 'covered' | 'never';
 
@@ -55,7 +61,11 @@ export class FieldStage {
   margins = (): Margins => ({ left: 0.1, top: 0.1, right: 0.1, bottom: 0.1 });
   /** what rays are cast at; null: it is not made yet */
   cast: ShownBody | null = null;
-  readonly exact: Exact;
+  readonly rays = new Rays();
+  readonly #exact: Readonly<Record<RayScheme, Exact>>;
+  readonly #zhu = new ZhuCaster();
+  #scheme: RayScheme = 'bricks';
+  #guides: Float32Array | null = null;
   /** rises with every change of what the picture shows, but for the view */
   #version = 0;
   readonly #drawn: () => void;
@@ -74,12 +84,39 @@ export class FieldStage {
 
   /** `drawn` is called after each frame, `told` when there is something to say of rays. */
   constructor(look: Look, drawn: () => void, told: () => void = () => {}) {
-    this.exact = new Exact(() => {
+    const changed = () => {
       told();
       this.wake();
-    });
+    };
+    this.#exact = { bricks: new Exact(changed, this.rays), zhu: new Exact(changed, this.#zhu) };
     this.#look = look;
     this.#drawn = drawn;
+  }
+
+  /** Of the rays in hand. */
+  get exact(): Exact {
+    return this.#exact[this.#scheme];
+  }
+
+  /** How Zhu's rays did beside ours; null: they are not cast. */
+  get comparison(): Comparison | null {
+    return this.#scheme === 'zhu' ? this.#zhu.comparison : null;
+  }
+
+  setRays(scheme: RayScheme): void {
+    if (scheme === this.#scheme) return;
+    this.exact.rest();
+    this.#scheme = scheme;
+    this.wake();
+  }
+
+  /** Lines over the picture, six numbers each, mm; compared by reference. */
+  guide(ends: Float32Array | null): void {
+    if (ends === this.#guides) return;
+    this.#guides = ends;
+    this.#version++;
+    this.scene?.guide(ends);
+    this.wake();
   }
 
   get view(): View {
@@ -92,17 +129,19 @@ export class FieldStage {
 
   attach(scene: Scene, reducedMotion: boolean): void {
     this.scene = scene;
+    this.rays.use(scene);
     this.#version++;
     scene.rig.reducedMotion = reducedMotion;
     scene.rig.setView(this.#view, false);
     scene.setLook(this.#look);
+    if (this.#guides) scene.guide(this.#guides);
     scene.resize(this.#size.width, this.#size.height, this.#size.ratio);
     this.#sync();
   }
 
   detach(): void {
     this.#fading = null;
-    this.exact.stop();
+    for (const exact of Object.values(this.#exact)) exact.stop();
     cancelAnimationFrame(this.#frame);
     this.#frame = 0;
     this.#view = this.view;
@@ -201,13 +240,20 @@ export class FieldStage {
   }
 
   /** Whether the surface itself is seen, and all is drawn. */
-  #exact(isMoving: boolean): boolean {
+  #isExact(isMoving: boolean): boolean {
     const { scene, cast, view } = this;
     if (isMoving || !scene || !cast || this.#look.mode !== 'exact') {
       this.exact.rest();
       return false;
     }
     return this.exact.frame({ scene, bodies: [cast], view, version: this.#version });
+  }
+
+  /** Whether what moves is drawn by rays. */
+  #live(): boolean {
+    const { scene, cast, view } = this;
+    if (!scene || !cast || this.#look.mode !== 'exact') return false;
+    return this.exact.live({ scene, bodies: [cast], view });
   }
 
   #tick(now: number): void {
@@ -217,7 +263,7 @@ export class FieldStage {
     const moving = this.scene?.rig.update(seconds) ?? false;
     const share = this.#fadingAt(now);
     if (share === 0) this.#fading = null;
-    if (!this.#exact(moving || share > 0)) {
+    if (!this.#isExact(moving || share > 0) && !(share === 0 && this.#live())) {
       this.scene?.fade(share);
       this.scene?.render();
     }

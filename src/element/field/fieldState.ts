@@ -198,6 +198,22 @@ export const CHOICES = {
     ],
     default: 'mesh',
   },
+  rays: {
+    label: 'Rays',
+    options: [
+      ['bricks', 'By bricks'],
+      ['zhu', 'Zhu’s, compared'],
+    ],
+    default: 'bricks',
+  },
+  volumes: {
+    label: 'Bounding volumes',
+    options: [
+      ['hidden', 'Hidden'],
+      ['shown', 'Shown'],
+    ],
+    default: 'hidden',
+  },
 } as const satisfies Record<string, ChoiceSpec>;
 
 export type NumberKey = keyof typeof NUMBERS;

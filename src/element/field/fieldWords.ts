@@ -1,11 +1,15 @@
 /** The words of the field page. */
 import type { Thin } from '../../field/thin.ts';
+import type { Comparison, RayCount } from '../../field/zhuImage.ts';
 import type { Shown } from './shown.ts';
 
 const count = (value: number): string => {
   if (value < 10_000) return String(value);
   return value < 1e6 ? `${Math.round(value / 1000)} k` : `${(value / 1e6).toFixed(1)} M`;
 };
+
+const rate = ({ evaluationsPerPixel, missed }: RayCount) =>
+  `${evaluationsPerPixel < 10 ? evaluationsPerPixel.toFixed(1) : count(Math.round(evaluationsPerPixel))} evaluations a pixel, ${missed}`;
 
 export const FIELD_WORDS = {
   title: 'Field',
@@ -26,6 +30,8 @@ export const FIELD_WORDS = {
   },
   thin: ({ places, least }: Thin) =>
     `Hardly thicker than a cell in ${places === 1 ? '1 place' : `${places} places`} (${Number(least.toPrecision(2))} mm): finer cells show all of it`,
+  compared: ({ hits, zhu, bricks }: Comparison) =>
+    `Zhu’s rays, ${rate(zhu)} of ${count(hits)} hits missed · by bricks ${rate(bricks)} missed`,
   /** `reason`: why it is not the graphics device */
   worker: (reason: string | null) => (reason === null ? 'CPU, worker' : `CPU, worker: ${reason}`),
   device: 'GPU, float32',

@@ -125,5 +125,6 @@ function exampleName({ type: _, ...sizes }: Shape): string {
 
 function surface(desk: Desk, gpu: boolean): TemplateResult {
   return html`${slider(desk, 'resolution')} ${gpu ? segment(desk, 'where') : nothing}
-    ${segment(desk, 'surface')}`;
+    ${segment(desk, 'surface')} ${desk.state.surface === 'exact' ? segment(desk, 'rays') : nothing}
+    ${segment(desk, 'volumes')}`;
 }

@@ -5,6 +5,7 @@
 import { html, LitElement, type PropertyDeclarations, type PropertyValues, type TemplateResult } from 'lit';
 import { DEFAULT_LOOK, type Look, type Mode, type Style } from '../../document/look.ts';
 import type { FieldNode } from '../../field/node.ts';
+import { volumeLines } from '../../field/volumeLines.ts';
 import { UNMOVED } from '../../math/placement.ts';
 import type { Scene } from '../../scene/index.ts';
 import { isDark } from '../../scene/look.ts';
@@ -21,7 +22,7 @@ import { dock, statusLine, topBar } from './chrome.ts';
 import { FieldBody } from './fieldBody.ts';
 import { FieldHands } from './fieldHands.ts';
 import { fieldLayout } from './fieldLayout.ts';
-import { FieldStage, type Fit } from './fieldStage.ts';
+import { FieldStage, type Fit, type RayScheme } from './fieldStage.ts';
 import { CHOICES, DEFAULT_STATE, type FieldState } from './fieldState.ts';
 import { FIELD_WORDS } from './fieldWords.ts';
 import { fromHash, toHash } from './hash.ts';
@@ -61,6 +62,8 @@ export class RotundField extends LitElement {
   #shown = 0;
   /** the last that made sense */
   #tree: FieldNode | null = null;
+  /** what bounding volumes are drawn of */
+  #guided: { readonly tree: FieldNode; readonly lines: Float32Array } | null = null;
   /** a passing word of the status line */
   said = '';
   /** what is wrong with the address */
@@ -193,6 +196,7 @@ export class RotundField extends LitElement {
       showAll: (animate: boolean) => this.stage.showAll(animate),
       reset: () => this.stage.reset(),
       toggleRays: () => this.set({ surface: this.state.surface === 'exact' ? 'mesh' : 'exact' }),
+      toggleVolumes: () => this.set({ volumes: this.state.volumes === 'shown' ? 'hidden' : 'shown' }),
       toggleWires: () => this.stage.setLook({ wireframe: !this.stage.look.wireframe }),
       setStyle: (number: number) => {
         const style = CHOICES.style.options[number - 1];
@@ -215,7 +219,9 @@ export class RotundField extends LitElement {
   }
 
   #changed(before: FieldState): void {
-    const { style, surface, ...body } = this.state;
+    const { style, surface, rays, volumes, ...body } = this.state;
+    this.stage.setRays(rays as RayScheme);
+    if (before.volumes !== volumes) this.#guide();
     if (before.style !== style || before.surface !== surface) this.stage.setLook(this.#look);
     const changed = (Object.keys(body) as (keyof typeof body)[]).filter((key) => before[key] !== body[key]);
     if (changed.length === 0) return;
@@ -247,6 +253,7 @@ export class RotundField extends LitElement {
   #readAddress(): void {
     const { state, problem } = fromHash(location.hash);
     this.state = state;
+    this.stage.setRays(state.rays as RayScheme);
     this.#badAddress = problem;
   }
 
@@ -263,7 +270,14 @@ export class RotundField extends LitElement {
       this.#fit = 'never';
     this.#shown = made?.id ?? 0;
     this.stage.cast = this.#cast;
+    this.#guide();
     this.requestUpdate();
+  }
+
+  #guide(): void {
+    const tree = this.state.volumes === 'shown' ? this.#tree : null;
+    if (this.#guided?.tree !== tree) this.#guided = tree && { tree, lines: volumeLines(tree, UNMOVED) };
+    this.stage.guide(this.#guided?.lines ?? null);
   }
 
   /** The body that is in the picture, when it is the wanted one. */
@@ -275,11 +289,13 @@ export class RotundField extends LitElement {
 
   /** What rays do, in words. */
   get rays(): string {
-    const { share, evaluationsAPixel, problem } = this.stage.exact;
+    const { exact, comparison } = this.stage;
+    const { share, evaluationsAPixel, problem } = exact;
     if (this.state.surface !== 'exact') return '';
-    if (problem !== null) return WORDS.notExact;
+    if (problem !== null) return this.state.rays === 'zhu' ? problem : WORDS.notExact;
+    if (comparison) return FIELD_WORDS.compared(comparison);
     if (share !== null) return WORDS.casting(Math.round(100 * share));
-    return evaluationsAPixel === null ? '' : WORDS.exact(evaluationsAPixel);
+    return evaluationsAPixel === null ? '' : WORDS.exact(evaluationsAPixel, exact.milliseconds);
   }
 
   #drawn(): void {
@@ -307,8 +323,8 @@ export class RotundField extends LitElement {
   }
 
   reset(): void {
-    const { style, where, surface } = this.state;
-    this.set({ ...DEFAULT_STATE, style, where, surface });
+    const { style, where, surface, rays, volumes } = this.state;
+    this.set({ ...DEFAULT_STATE, style, where, surface, rays, volumes });
     if (this.body.progress !== null) this.#fit = 'always';
     this.stage.reset();
     this.#say(FIELD_WORDS.reset);
@@ -355,7 +371,7 @@ export class RotundField extends LitElement {
       <div class="stage" role="application" tabindex="0" aria-label=${FIELD_WORDS.label(made)} aria-describedby="keys">
         <canvas class="picture"></canvas>
       </div>
-      <span id="keys" class="hidden">Arrow keys turn, plus and minus zoom, Home shows everything, 0 goes back to the first view, 1 to 4 are styles, W shows the triangles, X casts rays.</span>
+      <span id="keys" class="hidden">Arrow keys turn, plus and minus zoom, Home shows everything, 0 goes back to the first view, 1 to 4 are styles, W shows the triangles, X casts rays, M shows bounding volumes.</span>
       ${topBar(this)} ${dock(this)} ${statusLine(this)} ${viewBall(this.stage.view, this.#hands.ball())}
     </div>`;
   }

@@ -3,7 +3,7 @@
 import { GAUSS, type GaussPoints } from '../../math/gaussLegendre.ts';
 import { shapes } from '../../shape/index.ts';
 import { MOST_SOURCES, SHARES } from '../../skeleton/gaussSources.ts';
-import { type Ingredients, KINDS, namesOf, numberOf } from '../ingredients.ts';
+import { type Ingredients, keyOf, namesOf, numberOf } from '../ingredients.ts';
 import { compile, link, type Modules } from '../link.ts';
 import { choice, constants, imports, shapeCall } from '../modules.ts';
 import { modulesOf } from '../polygonize/stages.ts';
@@ -38,9 +38,7 @@ export function brickStagesOn(device: GPUDevice): Load {
 function loader(device: GPUDevice): Load {
   const known = new Map<string, Promise<BrickStages>>();
   return (ingredients, sizes = LARGEST) => {
-    const key = [sizes.sums, sizes.terms, ...KINDS.map((kind) => namesOf(ingredients, kind).join(' '))].join(
-      ', ',
-    );
+    const key = `${sizes.sums}, ${sizes.terms}, ${keyOf(ingredients)}`;
     const stages = known.get(key) ?? loadStages(device, brickModules(ingredients, sizes));
     known.set(key, stages);
     // what failed once is tried again

@@ -5,7 +5,7 @@
 import type { Lattice } from '../../field/lattice.ts';
 import type { FieldNode } from '../../field/node.ts';
 import type { PackedBricks, PackedEdit } from '../../field/packedBricks.ts';
-import { type Ingredients, KINDS, namesOf } from '../ingredients.ts';
+import { type Ingredients, keyOf } from '../ingredients.ts';
 import type { Modules } from '../link.ts';
 import { type Program, programOf } from '../program.ts';
 import { SHADERS } from '../shaders.ts';
@@ -146,7 +146,7 @@ class Live implements LivePolygonizer {
   }
 
   #pipelines(ingredients: Ingredients): Promise<Pipelines> {
-    const key = KINDS.map((kind) => namesOf(ingredients, kind).join(' ')).join(', ');
+    const key = keyOf(ingredients);
     const known = this.#known.get(key) ?? pipelinesOn(this.#device, modulesOf(ingredients));
     this.#known.set(key, known);
     // what failed once is tried again

@@ -15,6 +15,7 @@ import { Rooms } from '../bricks/rooms.ts';
 import { brickStagesOn } from '../bricks/stages.ts';
 import type { Modules } from '../link.ts';
 import { type Program, programOf } from '../program.ts';
+import { taken } from '../taken.ts';
 import { Buffers, MOST_BYTES, readBack } from './buffers.ts';
 import {
   type Bound,
@@ -141,7 +142,7 @@ class Polygonizer implements GpuPolygonizer {
     if (this.#isGone) throw new Error('the polygonizer was given back');
     const own = this.#free.pop() ?? new Buffers(this.#device);
     try {
-      return await this.#taken(() => this.#begin(stages, bricks, encode, own));
+      return await this.#told(taken(this.#device, 'a mesh', () => this.#begin(stages, bricks, encode, own)));
     } catch (error) {
       // among them may be some that there was no memory for
       for (const buffers of [own, this.#work]) buffers.destroy();
@@ -225,18 +226,6 @@ class Polygonizer implements GpuPolygonizer {
     else this.#free.push(own);
   }
 
-  /** What `work` begins, once the device has taken it. */
-  async #taken<T>(work: () => T): Promise<T> {
-    const device = this.#device;
-    for (const filter of ['out-of-memory', 'validation'] as const) device.pushErrorScope(filter);
-    const pop = () => this.#told(Promise.all([device.popErrorScope(), device.popErrorScope()]));
-    const begun = settled(work);
-    const refusal = (await pop()).find((error) => error !== null);
-    if ('error' in begun) throw begun.error;
-    if (refusal) throw new Error(`the graphics device refused a mesh: ${refusal.message}`);
-    return begun.value;
-  }
-
   /** What comes of it; or, in words, that the device is gone. */
   async #told<T>(work: Promise<T>): Promise<T> {
     const result = await work.catch((error: unknown) => {
@@ -250,12 +239,3 @@ class Polygonizer implements GpuPolygonizer {
 
 const packed = (node: FieldNode, bricks: ListedBricks | PackedBricks): PackedBricks =>
   'lists' in bricks ? bricks : packBricks(node, bricks);
-
-/** What came of it, or what was thrown. */
-function settled<T>(work: () => T): { readonly value: T } | { readonly error: unknown } {
-  try {
-    return { value: work() };
-  } catch (error) {
-    return { error };
-  }
-}

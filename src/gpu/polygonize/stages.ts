@@ -3,7 +3,7 @@
  * ingredients, the others once a device.
  */
 import { record } from '../../math/record.ts';
-import { type Ingredients, KINDS, namesOf } from '../ingredients.ts';
+import { type Ingredients, keyOf } from '../ingredients.ts';
 import { compile, link, type Modules } from '../link.ts';
 import { constants, fieldModules } from '../modules.ts';
 import { loadScan, type Scan } from '../scan.ts';
@@ -112,7 +112,7 @@ function loader(device: GPUDevice, changed: Modules): Load {
   const nodes = new Map<string, Pipeline<'nodes'>>();
   let plain: Promise<Plain> | null = null;
   return (ingredients, hasCreases = false) => {
-    const names = KINDS.map((kind) => namesOf(ingredients, kind).join(' ')).join(', ');
+    const names = keyOf(ingredients);
     const key = `${names}, ${hasCreases ? 'creases' : 'smooth'}`;
     plain ??= loadPlain(device);
     const modules = { ...modulesOf(ingredients), ...changed };

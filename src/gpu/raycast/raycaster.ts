@@ -1,30 +1,25 @@
 /**
- * Rays onto fields on the GPU, a thread a pixel. Twin of field/rayImage.ts: what is cast lies in two buffers on the device; bodies that are
- * cast one after the other cover each other. The application does not use it yet: the scene's images have padded rows and numbers of bodies.
+ * Rays onto fields on the GPU, a thread a pixel. Twin of field/rayScene.ts: several bodies, each where it was put, in each pixel the nearest;
+ * a body is asked only where its lattice may be seen, and before what is there already. What is cast stays on the device, as the
+ * scene draws it (scene/surfaceImage.ts).
  */
-
-import { bindField } from '../../field/bind.ts';
-import { Tally } from '../../field/near.ts';
-import type { Colour, FieldNode } from '../../field/node.ts';
-import type { PackedBricks } from '../../field/packedBricks.ts';
-import { NOWHERE, type RayCamera, type RayImage } from '../../field/rayImage.ts';
-import { rotate3 } from '../../math/tuple.ts';
-import type { Vec3 } from '../../math/vec.ts';
-import { shapes } from '../../shape/index.ts';
-import { eyeDistance } from '../../stroke/plane.ts';
-import { boundedProgram } from '../bricks/bounds.ts';
-import { isCulledOnDevice } from '../bricks/cullsOnDevice.ts';
-import { namesOf } from '../ingredients.ts';
+import type { FieldNode } from '../../field/node.ts';
+import type { RayCamera, RayImage } from '../../field/rayImage.ts';
+import { type Frame, frameOf, viewFrom } from '../../field/rayScene.ts';
+import { type Placement, UNMOVED } from '../../math/placement.ts';
 import { Buffers, readBack, type Slice, USAGE } from '../polygonize/buffers.ts';
-import { uploadField } from '../polygonize/encode.ts';
-import { type ListedBricks, packBricks } from '../polygonize/lists.ts';
-import { type Program, programOf } from '../program.ts';
-import { RAY_CAMERA, RAY_STAGES, type RayStages, rayStagesOn } from './stages.ts';
+import type { Where } from '../polygonize/polygonizer.ts';
+import { bindGroup } from './bindGroup.ts';
+import { BodyMaker, type DeviceBody } from './body.ts';
+import { CAMERA_STRIDE, packShots, type Shot } from './camera.ts';
+import { loadClear, RAY_CAMERA, RAY_STAGES } from './stages.ts';
 
 /** A picture on the device; vec4f a pixel each, as in RayImage. */
 export interface DeviceImage {
   readonly width: number;
   readonly height: number;
+  /** pixels from row to row: rows that are copied into textures begin at multiples of 256 bytes */
+  readonly stride: number;
   readonly surface: GPUBuffer;
   readonly colours: GPUBuffer;
   /** Asks the device: terms that were asked, nearly (rounded up to sixteen a ray), and rays that were given up. */
@@ -33,200 +28,179 @@ export interface DeviceImage {
   destroy(): void;
 }
 
-/** A body and where its surface may be. */
-export interface CastBody {
-  readonly node: FieldNode;
-  readonly bricks: ListedBricks | PackedBricks;
+/** A body in the model. */
+export interface PlacedBody {
+  readonly body: DeviceBody;
+  readonly placement: Placement;
 }
 
 export interface GpuRaycaster {
-  /** Resolves when the device has taken the work. RangeError for trees that it has no bounds for (`castsOnDevice`). */
-  cast(bodies: readonly CastBody[], camera: RayCamera): Promise<DeviceImage>;
+  /** Brings a body onto the device; see BodyMaker.make. */
+  body(node: FieldNode, where: Where): Promise<DeviceBody>;
+  /** Room for a picture. RangeError for more than every device binds. */
+  image(width: number, height: number): DeviceImage;
+  /**
+   * Begins rows of a picture, from … to before …: first of all row 0, with which what was there goes. The fourth of the colours is 1 + the
+   * place of the body in the list. The camera has the picture's size. What the device refuses is told to its error scopes. Returns how many
+   * rays there are, a pixel's of each body.
+   */
+  cast(
+    image: DeviceImage,
+    bodies: readonly PlacedBody[],
+    camera: RayCamera,
+    from?: number,
+    to?: number,
+  ): number;
+  /** Gives all back but bodies and images. */
   destroy(): void;
 }
 
-/** Whether the device knows bounds for all that the tree is made of. FieldError for what has no field. */
-export const castsOnDevice = (node: FieldNode): boolean => isCastOnDevice(programOf(node));
-
-/** Maps of cross sections, and shapes whose values are no distances, say nothing of what is ahead. */
-const isCastOnDevice = (program: Program): boolean =>
-  isCulledOnDevice(program) &&
-  program.ingredients.sections.size === 0 &&
-  namesOf(program.ingredients, 'shapes').every((name) => shapes[name].exact);
-
 const GROUP = 8;
-/** of one dispatch */
+/** of one dispatch: what takes a slow device long in one piece it is thought to have died of */
 const MOST_RAYS = 1 << 17;
+/** pixels: of four f32 each in 256 bytes */
+const ROW_PIXELS = 16;
 
-export function gpuRaycaster(device: GPUDevice): GpuRaycaster {
-  const stages = rayStagesOn(device);
+export async function gpuRaycaster(device: GPUDevice): Promise<GpuRaycaster> {
+  const clear = await loadClear(device);
+  const maker = new BodyMaker(device);
   const work = new Buffers(device);
   return {
-    async cast(bodies, camera) {
-      const own = new Buffers(device);
-      const image = imageOf(own, camera);
-      clear(device, image, camera);
-      try {
-        for (const { node, bricks } of bodies) {
-          const program = programOf(node);
-          if (!isCastOnDevice(program))
-            throw new RangeError('a tree that rays on the device know no bounds of');
-          const packed = 'lists' in bricks ? bricks : packBricks(node, bricks);
-          castOne(device, await stages(program.ingredients), work, image, camera, {
-            packed,
-            ...boundedProgram(node, program),
-            program,
-            plain: bindField(node).near(new Tally()).plain,
-          });
-        }
-      } catch (error) {
-        own.destroy();
-        throw error;
-      }
-      return deviceImage(device, own, image, camera);
+    body: (node, where) => maker.make(node, where),
+    image: (width, height) => new Picture(device, width, height),
+    cast(image, bodies, camera, from = 0, to = camera.height) {
+      const picture = image as Picture;
+      if (from === 0) picture.clear(work, clear, camera);
+      const rows = GROUP * Math.max(1, Math.floor(MOST_RAYS / camera.width / GROUP));
+      let rays = 0;
+      for (let row = from; row < to; row += rows)
+        rays += castRows(device, work, picture, bodies, camera, [row, Math.min(row + rows, to)]);
+      return rays;
     },
     destroy() {
+      maker.destroy();
       work.destroy();
     },
   };
 }
 
-interface Image {
-  readonly surface: Slice;
-  readonly colours: Slice;
-  readonly work: Slice;
-}
-
-function imageOf(buffers: Buffers, { width, height }: RayCamera): Image {
-  const usage = USAGE.storage | USAGE.copySource | USAGE.copyTarget;
-  return {
-    surface: buffers.get('surface', 16 * width * height, usage),
-    colours: buffers.get('colours', 16 * width * height, usage),
-    work: buffers.get('work', 8, usage),
-  };
-}
-
-function clear(device: GPUDevice, { surface, colours, work }: Image, { width, height }: RayCamera): void {
-  const nowhere = new Float32Array(4 * width * height);
-  for (let i = 3; i < nowhere.length; i += 4) nowhere[i] = NOWHERE;
-  device.queue.writeBuffer(surface.buffer, 0, nowhere);
-  const encoder = device.createCommandEncoder();
-  for (const slice of [colours, work]) encoder.clearBuffer(slice.buffer, 0, slice.size);
-  device.queue.submit([encoder.finish()]);
-}
-
-interface Body {
-  readonly program: ReturnType<typeof programOf>;
-  readonly records: ArrayBuffer;
-  readonly leaves: number;
-  readonly packed: PackedBricks;
-  readonly plain: Colour | null;
-}
-
-function castOne(
-  device: GPUDevice,
-  stages: RayStages,
-  work: Buffers,
-  image: Image,
-  camera: RayCamera,
-  { program, records, leaves, packed, plain }: Body,
-): void {
-  const field = uploadField(work, { ...program, records }, packed, { vertices: 0, triangles: 0 });
-  const { counts, step } = packed.lattice;
-  const blocks = counts.reduce((product, nodes) => product * Math.ceil((nodes - 1) / 16), 1);
-  const size = (Math.max(...counts) - 1) * step;
-  const shared = { ...field, ...image, blocks: work.get('blocks', 4 * blocks, USAGE.storage) };
-  const encoder = device.createCommandEncoder({ label: 'raycast blocks' });
-  const pass = encoder.beginComputePass({ label: 'raycast blocks' });
-  bind(device, pass, stages.blocks, 0, RAY_STAGES.blocks, shared);
-  pass.dispatchWorkgroups(Math.ceil(blocks / 64));
-  pass.end();
-  device.queue.submit([encoder.finish()]);
-  // in parts: what takes a slow device long in one piece it is thought to have died of
-  const rows = GROUP * Math.max(1, Math.floor(MOST_RAYS / camera.width / GROUP));
-  for (let row = 0; row < camera.height; row += rows) {
-    const record = cameraRecord(camera, leaves, size, plain, row);
-    castRows(
-      device,
-      stages,
-      { ...shared, camera: work.put('camera', RAY_CAMERA.pack([record]), USAGE.uniform) },
-      [Math.ceil(camera.width / GROUP), Math.ceil(Math.min(rows, camera.height - row) / GROUP)],
-    );
-  }
-}
-
+/** All bodies, one after the other: what is there already ends the rays of the next. */
 function castRows(
   device: GPUDevice,
-  stages: RayStages,
-  bound: Readonly<Record<string, Slice>>,
-  groups: readonly [x: number, y: number],
-): void {
+  work: Buffers,
+  picture: Picture,
+  bodies: readonly PlacedBody[],
+  camera: RayCamera,
+  rows: readonly [from: number, to: number],
+): number {
+  const shots = bodies
+    .map((each, i) => shotOf(each, i + 1, camera, picture.stride, rows))
+    .filter(({ frame }) => frame.left < frame.right && frame.top < frame.bottom);
+  if (shots.length === 0) return 0;
+  const cameras = work.put('cameras', packShots(shots), USAGE.uniform);
   const encoder = device.createCommandEncoder({ label: 'raycast' });
   const pass = encoder.beginComputePass({ label: 'raycast' });
-  bind(device, pass, stages.cast, 0, RAY_STAGES.cast, bound);
-  bind(device, pass, stages.cast, 1, { records: 0, lists: 1 }, bound);
-  pass.dispatchWorkgroups(...groups);
+  for (const [i, { body, frame }] of shots.entries()) {
+    const own = { ...cameras, offset: CAMERA_STRIDE * i, size: RAY_CAMERA.size };
+    const bound = { ...body.bound, ...picture.bound, camera: own };
+    const { cast } = body.stages;
+    pass.setPipeline(cast);
+    pass.setBindGroup(0, bindGroup(device, cast, 0, RAY_STAGES.cast, bound));
+    pass.setBindGroup(1, bindGroup(device, cast, 1, { records: 0, lists: 1 }, bound));
+    pass.dispatchWorkgroups(...groupsOver(frame));
+  }
   pass.end();
   device.queue.submit([encoder.finish()]);
+  return shots.reduce((sum, { frame }) => sum + areaOf(frame), 0);
 }
 
-function bind(
-  device: GPUDevice,
-  pass: GPUComputePassEncoder,
-  pipeline: GPUComputePipeline,
-  index: number,
-  bindings: Readonly<Record<string, number>>,
-  bound: Readonly<Record<string, Slice>>,
-): void {
-  const entries = Object.entries(bindings).map(([name, binding]) => ({ binding, resource: bound[name]! }));
-  pass.setPipeline(pipeline);
-  pass.setBindGroup(index, device.createBindGroup({ layout: pipeline.getBindGroupLayout(index), entries }));
+const areaOf = ({ left, right, top, bottom }: Frame): number => (right - left) * (bottom - top);
+
+function shotOf(
+  { body, placement }: PlacedBody,
+  number: number,
+  camera: RayCamera,
+  stride: number,
+  [from, to]: readonly [from: number, to: number],
+): Shot & { readonly body: DeviceBody } {
+  const own = { ...camera, view: viewFrom(placement, camera.view) };
+  const { left, right, top, bottom } = frameOf(body.lattice, own);
+  const frame = { left, right, top: Math.max(top, from), bottom: Math.min(bottom, to) };
+  return { camera: own, body, rotation: placement.rotation, number, frame, stride };
 }
 
-function cameraRecord(
-  { view, width, height, offset }: RayCamera,
-  leaves: number,
-  size: number,
-  plain: Colour | null,
-  row: number,
-) {
-  const axis = (v: Vec3) => rotate3(view.rotation, v);
-  return {
-    pivot: view.pivot,
-    pixel: view.height / height,
-    right: axis([1, 0, 0]),
-    distance: eyeDistance(view) ?? 0,
-    up: axis([0, 1, 0]),
-    size,
-    back: axis([0, 0, 1]),
-    leaves,
-    picture: [width, height],
-    offset,
-    colour: plain ? [...plain, 1] : [0, 0, 0, 0],
-    row,
-  };
-}
+const groupsOver = ({ left, right, top, bottom }: Frame): [x: number, y: number] => [
+  Math.ceil((right - left) / GROUP),
+  Math.ceil((bottom - top) / GROUP),
+];
 
-function deviceImage(
-  device: GPUDevice,
-  own: Buffers,
-  { surface, colours, work }: Image,
-  { width, height }: RayCamera,
-): DeviceImage {
-  return {
-    width,
-    height,
-    surface: surface.buffer,
-    colours: colours.buffer,
-    async work() {
-      const [bytes] = await readBack(device, [work]);
-      const [sixteenths, lost] = new Uint32Array(bytes!);
-      return { terms: 16 * sixteenths!, lost: lost! };
-    },
-    async read() {
-      const [at, painted] = await readBack(device, [surface, colours]);
-      return { width, height, surface: new Float32Array(at!), colours: new Float32Array(painted!) };
-    },
-    destroy: () => own.destroy(),
-  };
+class Picture implements DeviceImage {
+  readonly width: number;
+  readonly height: number;
+  readonly stride: number;
+  readonly bound: Readonly<Record<'surface' | 'colours' | 'work', Slice>>;
+  readonly #device: GPUDevice;
+  readonly #own: Buffers;
+
+  constructor(device: GPUDevice, width: number, height: number) {
+    this.#device = device;
+    this.#own = new Buffers(device);
+    this.width = width;
+    this.height = height;
+    this.stride = ROW_PIXELS * Math.ceil(width / ROW_PIXELS);
+    const usage = USAGE.storage | USAGE.copySource;
+    const bytes = 16 * this.stride * height;
+    this.bound = {
+      surface: this.#own.get('surface', bytes, usage),
+      colours: this.#own.get('colours', bytes, usage),
+      work: this.#own.get('work', 8, usage | USAGE.copyTarget),
+    };
+  }
+
+  get surface(): GPUBuffer {
+    return this.bound.surface.buffer;
+  }
+
+  get colours(): GPUBuffer {
+    return this.bound.colours.buffer;
+  }
+
+  clear(work: Buffers, pipeline: GPUComputePipeline, camera: RayCamera): void {
+    const device = this.#device;
+    const frame = { left: 0, right: this.stride, top: 0, bottom: this.height };
+    const { rotation } = UNMOVED;
+    const shot = { camera, body: null, rotation, number: 0, frame, stride: this.stride };
+    const bound = { ...this.bound, camera: work.put('whole', packShots([shot]), USAGE.uniform) };
+    const encoder = device.createCommandEncoder({ label: 'raycast clear' });
+    encoder.clearBuffer(this.bound.work.buffer);
+    const pass = encoder.beginComputePass({ label: 'raycast clear' });
+    pass.setPipeline(pipeline);
+    pass.setBindGroup(0, bindGroup(device, pipeline, 0, RAY_STAGES.clear, bound));
+    pass.dispatchWorkgroups(...groupsOver(frame));
+    pass.end();
+    device.queue.submit([encoder.finish()]);
+  }
+
+  async work(): Promise<{ readonly terms: number; readonly lost: number }> {
+    const [bytes] = await readBack(this.#device, [this.bound.work]);
+    const [sixteenths, lost] = new Uint32Array(bytes!);
+    return { terms: 16 * sixteenths!, lost: lost! };
+  }
+
+  async read(): Promise<RayImage> {
+    const { width, height, stride, bound } = this;
+    const rows = (bytes: ArrayBuffer) => {
+      const padded = new Float32Array(bytes);
+      const pixels = new Float32Array(4 * width * height);
+      for (let row = 0; row < height; row++)
+        pixels.set(padded.subarray(4 * stride * row, 4 * (stride * row + width)), 4 * width * row);
+      return pixels;
+    };
+    const [surface, colours] = await readBack(this.#device, [bound.surface, bound.colours]);
+    return { width, height, surface: rows(surface!), colours: rows(colours!) };
+  }
+
+  destroy(): void {
+    this.#own.destroy();
+  }
 }

@@ -1,8 +1,11 @@
-/** The pipelines of the ray-caster; only `cast` is made for the ingredients of a field. */
+/** The pipelines of the ray-caster; only `cast` is made for the ingredients of a field, the others' modules are the same for all. */
 import { record } from '../../math/record.ts';
+import { shapes } from '../../shape/index.ts';
 import { brickModules } from '../bricks/stages.ts';
-import { type Ingredients, KINDS, namesOf } from '../ingredients.ts';
+import { type Ingredients, keyOf, namesOf, numberOf } from '../ingredients.ts';
 import { compile, link, type Modules } from '../link.ts';
+import { choice } from '../modules.ts';
+import { SHADERS } from '../shaders.ts';
 
 /** What is looked at, and from where. */
 export const RAY_CAMERA = record('RayCamera', {
@@ -23,12 +26,20 @@ export const RAY_CAMERA = record('RayCamera', {
   offset: 'vec2f',
   /** of all the body, where it has one colour; the fourth 1 then, else 0 */
   colour: 'vec4f',
-  /** the first row of this part of the picture */
-  row: 'u32',
+  /** pixels that are cast: from … to before …, to the right and down */
+  first: 'vec2u',
+  end: 'vec2u',
+  /** from the body's frame into the model's */
+  turn: 'mat3x3f',
+  /** pixels from row to row */
+  stride: 'u32',
+  /** the fourth of the colours where the body is seen */
+  number: 'f32',
 });
 
 /** Buffers of group 0 by their binding; `cast` has records and lists in group 1. */
 export const RAY_STAGES = {
+  clear: { surface: 2, colours: 3, camera: 9 },
   blocks: { grid: 0, blocks: 1, lattice: 8 },
   cast: { grid: 0, blocks: 1, surface: 2, colours: 3, work: 4, lattice: 8, camera: 9 },
 } as const;
@@ -51,7 +62,7 @@ export function rayStagesOn(device: GPUDevice): Load {
 function loader(device: GPUDevice): Load {
   const known = new Map<string, Promise<RayStages>>();
   return (ingredients) => {
-    const key = KINDS.map((kind) => namesOf(ingredients, kind).join(' ')).join(', ');
+    const key = keyOf(ingredients);
     const stages = known.get(key) ?? loadStages(device, rayModules(ingredients));
     known.set(key, stages);
     // what failed once is tried again
@@ -61,19 +72,35 @@ function loader(device: GPUDevice): Load {
 }
 
 async function loadStages(device: GPUDevice, modules: Modules): Promise<RayStages> {
-  const load = async (name: string, entryPoint: string) => {
-    const label = `raycast/${name}`;
-    const module = await compile(device, label, link(modules, label));
-    const compute = { module, entryPoint };
-    return device.createComputePipelineAsync({ label, layout: 'auto', compute });
-  };
-  const [blocks, cast] = await Promise.all([load('blocks', 'blocks_of_bricks'), load('cast', 'cast_pixels')]);
+  const [blocks, cast] = await Promise.all([
+    loadStage(device, modules, 'blocks', 'blocks_of_bricks'),
+    loadStage(device, modules, 'cast', 'cast_pixels'),
+  ]);
   return { blocks, cast };
 }
+
+async function loadStage(device: GPUDevice, modules: Modules, name: string, entryPoint: string) {
+  const label = `raycast/${name}`;
+  const module = await compile(device, label, link(modules, label));
+  return device.createComputePipelineAsync({ label, layout: 'auto', compute: { module, entryPoint } });
+}
+
+/** What empties a picture, whatever comes into it. */
+export const loadClear = (device: GPUDevice): Promise<GPUComputePipeline> =>
+  loadStage(device, { ...SHADERS, 'record/rayCamera': RAY_CAMERA.wgsl }, 'clear', 'clear_pixels');
 
 /** All that the stages import. */
 export const rayModules = (ingredients: Ingredients): Modules => ({
   ...brickModules(ingredients),
   distance: '#import raycast/distance\n',
+  isDistance: distances(ingredients),
   'record/rayCamera': RAY_CAMERA.wgsl,
 });
+
+/** Which of the shapes are as far away as their values say. */
+function distances(ingredients: Ingredients): string {
+  const cases = namesOf(ingredients, 'shapes').map(
+    (name) => [numberOf('shapes', name), String(shapes[name].exact)] as const,
+  );
+  return choice('fn is_distance(kind: u32) -> bool', 'kind', cases, 'bool');
+}

@@ -12,6 +12,7 @@ const host = {
   setStyle: vi.fn((number: number) => number === 2),
   toggleWires: vi.fn(),
   toggleRays: vi.fn(),
+  toggleVolumes: vi.fn(),
 };
 const hands = new FieldHands(host);
 

@@ -1,4 +1,5 @@
 /** Meshes of bricks that the device finds are those of the CPU's bricks: nothing but records went up. */
+
 import { afterAll, expect, it } from 'vitest';
 import { bindField } from '../../../src/field/bind.ts';
 import type { FieldMesh } from '../../../src/field/brickMesh.ts';
@@ -9,6 +10,7 @@ import type { FieldNode, Term } from '../../../src/field/node.ts';
 import { cullsOnDevice } from '../../../src/gpu/bricks/cullsOnDevice.ts';
 import { gpuPolygonizer } from '../../../src/gpu/polygonize/polygonizer.ts';
 import { gpuWork } from '../../../src/gpu/polygonize/work.ts';
+import { finished } from '../../../src/math/finished.ts';
 import { topology } from '../../../src/mesh/check.ts';
 import { BONE, body, placed, RIGID, SKEW, sphere } from '../../field/trees.ts';
 import { bricksOf } from '../../fixtures/bricks.ts';
@@ -132,10 +134,7 @@ describeGpu('meshes of bricks that the device finds', () => {
       const field = bindField(node);
       const lattice = latticeAround(field.box!, CELLS);
       const tally = new Tally();
-      const steps = culling(field.near(tally), lattice);
-      let step = steps.next();
-      while (!step.done) step = steps.next();
-      const { nodes, aVertex } = gpuWork(step.value);
+      const { nodes, aVertex } = gpuWork(finished(culling(field.near(tally), lattice)));
       await withDevice(async (device) => {
         const polygonizer = gpuPolygonizer(device);
         const { work, vertices } = await (await polygonizer.whole(node, lattice)).needed();

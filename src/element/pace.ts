@@ -1,0 +1,36 @@
+/**
+ * How fast a graphics device casts rays, by what they took last; waiting for the device, and what else it drew, are counted in. What takes
+ * longer is believed at once, what is faster by and by, so that moving pictures do not change their resolution from frame to frame.
+ */
+
+/** from one band to the next: what was seen so far may have been paper */
+const GROWTH = 4;
+/** share of what was seen last */
+const BELIEF = 0.4;
+/** rays of the first band of all */
+const FIRST = 1 << 14;
+
+export class Pace {
+  /** ms a ray; null: not known yet */
+  #ray: number | null = null;
+  #band = FIRST;
+
+  /** So many rays took so long. */
+  hear(rays: number, milliseconds: number): void {
+    if (rays <= 0) return;
+    const now = milliseconds / rays;
+    this.#ray = Math.max(now, (1 - BELIEF) * (this.#ray ?? now) + BELIEF * now);
+    this.#band = Math.max(FIRST, rays);
+  }
+
+  /** How many rays to begin with, of which `milliseconds` may be needed. */
+  rays(milliseconds: number): number {
+    if (this.#ray === null) return FIRST;
+    return Math.min(milliseconds / this.#ray, GROWTH * this.#band);
+  }
+
+  /** What they take, ms; null: not known yet. */
+  milliseconds(rays: number): number | null {
+    return this.#ray === null ? null : rays * this.#ray;
+  }
+}
