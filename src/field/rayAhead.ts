@@ -6,7 +6,7 @@
 import { type Ahead, known, looseness } from '../skeleton/ahead.ts';
 
 /** how often the distance is bettered; each is some additions and a power */
-const ROUNDS = 4;
+const ROUNDS = 3;
 /** of what is surely clear: how far beyond 0 is looked for */
 const SEEN = 4;
 

@@ -46,7 +46,7 @@ export class RayBalls {
   readonly #y: number;
   readonly #z: number;
   /** mm between middles */
-  readonly #apart: number;
+  readonly apart: number;
   /** mm; below 0 inside the body; NaN: not made */
   readonly #radii = new Float64Array(SIDE * SIDE * SIDE).fill(NaN);
 
@@ -55,12 +55,12 @@ export class RayBalls {
     this.#x = origin[0] + BRICK * step * brick.i;
     this.#y = origin[1] + BRICK * step * brick.j;
     this.#z = origin[2] + BRICK * step * brick.k;
-    this.#apart = (BRICK * step) / SIDE;
+    this.apart = (BRICK * step) / SIDE;
   }
 
   /** How far a ray from (x, y, z) on stays in a ball on that side of the surface and `beside` mm off its border, mm. */
   clear(ray: Ray, x: number, y: number, z: number, isInside: boolean, beside: number): number {
-    const apart = this.#apart;
+    const apart = this.apart;
     const i = placeOf((x - this.#x) / apart);
     const j = placeOf((y - this.#y) / apart);
     const k = placeOf((z - this.#z) / apart);
@@ -84,7 +84,7 @@ export class RayBalls {
 
   #made(x: number, y: number, z: number): number {
     const { near } = this.#brick;
-    const value = near.look(TOWARDS, x, y, z, this.#apart * SIDE);
+    const value = near.look(TOWARDS, x, y, z, this.apart * SIDE);
     // bounds of the list hold in the brick only, and the ball is left where the brick is
     const radius = near.around() * ROUNDED;
     return value > 0 ? -radius : radius;

@@ -23,6 +23,8 @@ const CLOSE = 1e-6;
 const BESIDE = 0.5;
 /** pixels: where the surface is not reached for longer, it is not so near */
 const AHEAD = 8;
+/** pixels: no balls that are nearer to each other */
+const RAYS = 2;
 /** shortest steps: what is surely free for longer is not yet worth a look for the place where it ends */
 const FAR = 16;
 /** of the longest side of the lattice: what near lists miss may move the hit along the ray so far before all skels are asked */
@@ -106,11 +108,13 @@ export class Raycaster {
     const { start, stop } = this.#walk;
     const { pixel, growth, along } = this.#ray;
     const balls = this.#balls.of(this.#walk.state);
+    // a ball costs a look, and pays where several rays come by
+    const isFine = balls.apart > RAYS * (pixel + growth * Math.max(start, 0));
     let before = -Infinity;
     let atBefore = 0;
     for (let t = start; ; ) {
       const finest = FINEST * (pixel + growth * t);
-      const free = this.#free(balls, t, stop, isInside, FAR * finest);
+      const free = isFine ? this.#free(balls, t, stop, isInside, FAR * finest) : t;
       if (free > t) {
         if (free >= stop) return false;
         // nothing is known of the surface from before a ball

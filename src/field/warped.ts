@@ -138,12 +138,10 @@ export class Warped implements SkelField {
     out[BEND] = out[BEND]! + local[BEND]! * by * by + (2 * across * seen.bend) / (reach * reach);
     out[WIDTH] = Math.min(out[WIDTH]!, local[WIDTH]! / by, reach < along ? reach : Infinity);
     if (local[LOOSE]! > 0) out[POWER] = local[POWER]!;
-    // how fast places move anywhere on the way, not on average
-    const most = by + (seen.bend > 0 ? seen.bend / reach : 0);
-    const turned = seen.bend > 0 ? (2 * seen.bend * local[FIRST]!) / (reach * reach) : 0;
     out[MASS] = out[MASS]! + local[MASS]!;
-    out[FIRST] = Math.max(out[FIRST]!, most * local[FIRST]!);
-    out[SECOND] = Math.max(out[SECOND]!, most * most * local[SECOND]! + turned);
+    out[FIRST] = Math.max(out[FIRST]!, by * local[FIRST]!);
+    // maps that bend told less by such bounds than by Taylor's remainder
+    out[SECOND] = Math.max(out[SECOND]!, seen.isLinear ? by * by * local[SECOND]! : Infinity);
     out[LIMIT] = Math.min(out[LIMIT]!, reach < along ? reach : Infinity);
   }
 

@@ -8,7 +8,6 @@
  * these are Newton's.
  */
 import { halfPower } from '../kernel/halfPower.ts';
-import { exp } from '../math/exp.ts';
 
 /**
  * [value, ∂x, ∂y, ∂z, Σ|F|/M² (1/mm²), least M (mm), bound on second derivatives (1/mm²), n, Σ|F|, and in parts of that the largest that
@@ -28,7 +27,11 @@ export const LIMIT = 11;
 
 /** θ up to which the bound is used */
 const MOST = 0.9;
+/** and rounding */
+const AT_MOST = MOST * (1 + 1e-9);
 const SMALL = 1e-3;
+/** x up to which eˣ is */
+const GROWN = 3;
 
 /** Of nothing yet. */
 export function clearAhead(out: Ahead): void {
@@ -39,17 +42,27 @@ export function clearAhead(out: Ahead): void {
 }
 
 /** How far the bound holds, mm. */
-export const known = (ahead: Ahead): number =>
-  ahead[SECOND]! < Infinity ? ahead[LIMIT]! : Math.min(ahead[LIMIT]!, MOST * ahead[WIDTH]!);
+export function known(ahead: Ahead): number {
+  const smooth = ahead[SECOND]! < Infinity ? GROWN / ahead[FIRST]! : 0;
+  return Math.min(ahead[LIMIT]!, Math.max(MOST * ahead[WIDTH]!, smooth));
+}
 
 /** What value and gradient leave out over t ≤ `known`, at most, for each square millimetre of t². */
 export function looseness(ahead: Ahead, t: number): number {
   const bend = 0.5 * ahead[BEND]!;
   const loose = ahead[LOOSE]!;
   if (!(loose > 0)) return bend;
-  const smooth = 0.5 * ahead[SECOND]! * ahead[MASS]! * exp(ahead[FIRST]! * t);
+  const smooth = 0.5 * ahead[SECOND]! * ahead[MASS]! * grown(ahead[FIRST]! * t);
   const theta = t / ahead[WIDTH]!;
-  return bend + (theta < MOST ? Math.min(smooth, loose * relative(theta, ahead[POWER]!)) : smooth);
+  return bend + (theta < AT_MOST ? Math.min(smooth, loose * relative(theta, ahead[POWER]!)) : smooth);
+}
+
+/** A little more than eˣ, in few words: (1 − x/8)⁻⁸. */
+function grown(x: number): number {
+  if (!(x < 8)) return Infinity;
+  const one = 1 / (1 - 0.125 * x);
+  const two = one * one;
+  return two * two * (two * two);
 }
 
 /** ((1 − θ)⁻ⁿ − 1 − nθ)/θ² */
