@@ -3,7 +3,7 @@ import { type Body, CELLS } from '../document/bodies.ts';
 import type { BodyPart } from '../document/document.ts';
 import { bindField } from '../field/bind.ts';
 import type { FieldNode } from '../field/node.ts';
-import { type SkelAt, skelAt } from '../field/skelAt.ts';
+import { skelAt } from '../field/skelAt.ts';
 import { type SurfaceHit, surfaceHit } from '../field/surfaceHit.ts';
 import type { TreeField } from '../field/treeField.ts';
 import { place3 } from '../math/placement.ts';
@@ -12,17 +12,12 @@ import type { Vec3 } from '../math/vec.ts';
 import { bounds } from '../mesh/measure.ts';
 import type { Hit } from '../scene/index.ts';
 import type { Ray } from '../stroke/plane.ts';
+import type { Picked } from './picked.ts';
 
 /** cells of the mesh along the ray that are searched: close to an outline the ray is soon out of the body again */
 const REACHES = [2, 0.5, 0.125];
 
 const bound = new WeakMap<FieldNode, TreeField>();
-
-/** A place of the model, and what is there. */
-export interface Picked extends Hit {
-  /** of a body; null on surfaces of strokes */
-  readonly skel: SkelAt | null;
-}
 
 /** The place of the triangles where the surface is not within reach, as beside an outline. */
 export function pickedOn(

@@ -24,9 +24,9 @@ export type {
   RotundSketchEventMap,
   SelectDetail,
 } from './events.ts';
-export type { Picked } from './exactPick.ts';
 export type { Flaw } from './flaws.ts';
 export type { Waiting } from './needs.ts';
+export type { Picked } from './picked.ts';
 export { RotundSketch } from './rotundSketch.ts';
 export type { Angles, Shot } from './shot.ts';
 export type { StrokeInput } from './strokeInput.ts';

@@ -19,8 +19,11 @@ const APART = 0.8;
 const OPEN = 0.5;
 /** radii from the middle of a bar: outside all around, of square ones too */
 const BEYOND = 1.5;
-/** Across the thinnest chord, and between that and the chord. */
-const AROUND = [-1, 1].flatMap((y) => [0, 1, -1].map((x) => [x, y] as const));
+/** Along the thinnest chord, across it, and in between. */
+const AROUND = [
+  ...[-1, 1].flatMap((y) => [0, 1, -1].map((x) => [x, y] as const)),
+  ...[-1, 1].map((x) => [x, 0] as const),
+];
 
 interface Seen {
   readonly chord: Chord;
@@ -80,9 +83,12 @@ export class Bars {
     if (!across || this.#isOpen(seen)) return null;
     const middle = scale3(add3(this.#within(chord.p, thickness), this.#within(chord.q, thickness)), 0.5);
     const side = unit(sub3(across, scale3(way, dot3(way, across))));
+    // chords beside the middle of what is not round say too little: along and across, it has to be as thin as is told
+    const widest = Math.min(BEYOND * thickness, BAR * this.#lattice.step);
     const isBar = AROUND.every(([x, y]) => {
       const out = unit(add3(scale3(way, x), scale3(side, y)));
-      return this.#field.value(...add3(middle, scale3(out, (BEYOND * thickness) / 2))) > 0 === this.#isGap;
+      const width = x !== 0 && y !== 0 ? BEYOND * thickness : widest;
+      return this.#field.value(...add3(middle, scale3(out, width / 2))) > 0 === this.#isGap;
     });
     return isBar ? { at: middle, thickness, across: BAR, isGap: this.#isGap } : null;
   }
