@@ -5,7 +5,7 @@
 
 const MANY = 1e20;
 // r² up to which second derivatives are asked, too, in parts of the core
-const CLOSE = 6.0;
+const BENT_UP_TO = 6.0;
 
 // q^(−n/2) for any q above 0; without branches where n is whole and at most 7
 fn half_power(q: f32, n: f32) -> f32 {
@@ -55,7 +55,7 @@ fn power_rest(theta: f32, n: f32, first: u32) -> f32 {
 
 const BENT_PIECES = 4u;
 
-// What value and gradient leave out over a way of `by`, by second derivatives, in parts of the field at r; for r² up to CLOSE.
+// What value and gradient leave out over a way of `by`, by second derivatives, in parts of the field at r; for r² up to BENT_UP_TO.
 fn power_bent(core: f32, n: f32, r: f32, by: f32) -> f32 {
   var sum = 0.0;
   for (var i = 1u; i <= BENT_PIECES; i++) {

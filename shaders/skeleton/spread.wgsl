@@ -120,7 +120,7 @@ fn power_spread(bound: Bound, look: Look, centre: vec4f, cap: f32) -> Spread {
   if (theta < 1.0) {
     bend = SAFE * power_rest(theta, bound.power, 2u) + MARGIN * bound.power * theta;
   }
-  if (look.r * look.r < CLOSE * bound.core) {
+  if (look.r * look.r < BENT_UP_TO * bound.core) {
     let bent = power_bent(bound.core, bound.power, look.r, look.by);
     bend = min(bend, SAFE * bent + MARGIN * bound.power * theta);
   }

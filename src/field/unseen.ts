@@ -21,15 +21,6 @@ const BEYOND = [0.005, 0.04, 0.15, 0.4] as const;
 const FARTHEST = 2;
 
 const AXES = [1, SIDE, SIDE * SIDE] as const;
-/** Corner, the next and the one behind it. */
-const EDGES: readonly (readonly [corner: number, next: number, behind: number])[] = AXES.flatMap((stride) =>
-  Array.from({ length: CORNERS }, (_, c) => c).flatMap((c) => {
-    const at = Math.floor(c / stride) % SIDE;
-    return [1, -1]
-      .filter((way) => at + way >= 0 && at + way < SIDE && at - way >= 0 && at - way < SIDE)
-      .map((way) => [c, c + way * stride, c - way * stride] as const);
-  }),
-);
 
 const value = new Float64Array(4);
 
@@ -84,15 +75,25 @@ function missed(
   return wallBetween({ positions: [...p.at, ...q.at], normals: [...p.normal, ...q.normal] });
 }
 
-/** The corner from which the surface should be nearest, though it is not there; −1: none. */
+/** The corner from which the surface should be nearest, though it is not there; −1: none. Of all bricks that the surface does not enter: in few words. */
 function suspect(values: Float64Array, sign: 1 | -1): number {
-  let [found, least] = [-1, 1];
-  for (const [corner, next, behind] of EDGES) {
-    const [here, before] = [sign * values[corner]!, sign * values[behind]!];
-    const rise = STEEPER * (here - before);
-    if (!(here + rise > 0) || sign * values[next]! > 0) continue;
-    const reach = -here / rise;
-    if (reach < least) [found, least] = [corner, reach];
+  let found = -1;
+  let least = 1;
+  for (const stride of AXES) {
+    for (let c = stride; c < CORNERS - stride; c++) {
+      const here = sign * values[c]!;
+      const before = sign * values[c - stride]!;
+      const after = sign * values[c + stride]!;
+      const rise = STEEPER * (here - Math.min(before, after));
+      if (!(here + rise > 0)) continue;
+      const at = Math.floor(c / stride) % SIDE;
+      if (at === 0 || at === SIDE - 1 || Math.max(before, after) > 0) continue;
+      const reach = -here / rise;
+      if (reach < least) {
+        found = c;
+        least = reach;
+      }
+    }
   }
   return found;
 }

@@ -61,7 +61,7 @@ export type Change = RelativeChange | AbsoluteChange;
 const SMALL = 1e-3;
 const SMALL_CUBE = 1e-2;
 /** r² up to which second derivatives are asked, too, where there is a core; pieces of the way for them. 16 pruned as much. */
-const CLOSE = 6;
+const BENT_UP_TO = 6;
 const PIECES = 4;
 
 /** Of (core + r²)^(−n/2); `n` where the kernel has it fixed. */
@@ -98,7 +98,7 @@ class PowerChange implements RelativeChange {
     step.most = !(after > 0) ? Infinity : power === 4 ? rise * rise : rootPower(rise, power);
     const theta = by / Math.sqrt(core + r * r);
     step.bend = theta < 1 ? bend(theta, power) : Infinity;
-    if (r * r < CLOSE * core) step.bend = Math.min(step.bend, by * by * this.#bent(r, by, power));
+    if (r * r < BENT_UP_TO * core) step.bend = Math.min(step.bend, by * by * this.#bent(r, by, power));
   }
 
   /** ∫ (1 − t) f″ of a way of `by` towards points at distance ≥ r, in parts of their field: at most, piece by piece. */
