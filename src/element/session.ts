@@ -202,7 +202,9 @@ export class Session implements Bench, Viewport {
   /** Once of each tree, when all is made: what is not seen of it. */
   #sayFlaws(): void {
     const nodes = new Map(this.document.parts.filter(isBody).map(({ id, node }) => [id, node]));
-    const fresh = this.flaws.filter(({ part }) => !this.#told.has(nodes.get(part)!));
+    // rays see what is thin, and whether gaps are open
+    const isSeen = ({ what }: Flaw) => this.look.mode === 'mesh' || what === 'none' || what === 'cut';
+    const fresh = this.flaws.filter((flaw) => isSeen(flaw) && !this.#told.has(nodes.get(flaw.part)!));
     for (const { part } of fresh) this.#told.add(nodes.get(part)!);
     const [first, ...others] = fresh;
     const more = new Set(others.map(({ part }) => part).filter((part) => part !== first?.part)).size;
