@@ -14,6 +14,9 @@ export interface ShownBody {
   readonly cells: number;
 }
 
+/** rays a picture: larger ones have a ray for several pixels */
+export const MOST_RAYS = 2.4e6;
+
 /** What has been found for one picture so far. */
 export interface CastImages {
   /** images that are whole, and how many there will be */

@@ -12,11 +12,14 @@ const MOST_BYTES = 1 << 27;
 const SLICE = 6;
 
 export class DeviceBodies {
-  readonly #raycaster: GpuRaycaster;
+  readonly #raycaster: Pick<GpuRaycaster, 'body'>;
   /** oldest first */
   readonly #known = new Map<string, DeviceBody>();
+  /** wishes follow each other faster than bodies are made: each is made once */
+  readonly #making = new Map<string, Promise<DeviceBody | null>>();
+  #isGone = false;
 
-  constructor(raycaster: GpuRaycaster) {
+  constructor(raycaster: Pick<GpuRaycaster, 'body'>) {
     this.#raycaster = raycaster;
   }
 
@@ -32,23 +35,25 @@ export class DeviceBodies {
     wanted: () => boolean,
     progress: (share: number) => void,
   ): Promise<readonly PlacedBody[] | null> {
-    for (const [i, { node, cells }] of bodies.entries()) {
-      const name = nameOf(bodies[i]!);
-      const known = this.#known.get(name) ?? (await this.#made(node, cells, wanted));
-      if (!known) return null;
+    const names = bodies.map(nameOf);
+    for (const [i, shown] of bodies.entries()) {
+      const known = await this.#made(shown, wanted);
+      if (!known || !wanted()) return null;
       // now the newest
-      this.#known.delete(name);
-      this.#known.set(name, known);
-      if (!wanted()) return null;
+      this.#known.delete(names[i]!);
+      this.#known.set(names[i]!, known);
       progress((i + 1) / bodies.length);
     }
-    this.#forget(new Set(bodies.map(nameOf)).size);
+    this.#forget(new Set(names));
     return this.known(bodies);
   }
 
-  destroy(): void {
+  /** Resolves when nothing is being made any more. */
+  async destroy(): Promise<void> {
+    this.#isGone = true;
     for (const body of this.#known.values()) body.destroy();
     this.#known.clear();
+    await Promise.allSettled(this.#making.values());
   }
 
   #placed(shown: ShownBody): PlacedBody | null {
@@ -56,14 +61,39 @@ export class DeviceBodies {
     return body ? { body, placement: shown.placement } : null;
   }
 
-  async #made(node: ShownBody['node'], cells: number, wanted: () => boolean): Promise<DeviceBody | null> {
+  /** As it is known, or made; null when that was given up. */
+  async #made(shown: ShownBody, wanted: () => boolean): Promise<DeviceBody | null> {
+    const name = nameOf(shown);
+    for (;;) {
+      const known = this.#known.get(name);
+      if (known || this.#isGone) return known ?? null;
+      let making = this.#making.get(name);
+      if (!making) {
+        making = this.#make(shown, wanted).finally(() => this.#making.delete(name));
+        this.#making.set(name, making);
+      }
+      const made = await making;
+      // somebody else gave it up
+      if (made || !wanted()) return made;
+    }
+  }
+
+  async #make(shown: ShownBody, wanted: () => boolean): Promise<DeviceBody | null> {
+    const { node, cells } = shown;
     const lattice = await inSlices(latticed(bindField(node), cells), wanted);
-    return lattice && this.#raycaster.body(node, lattice.lattice);
+    if (!lattice || this.#isGone) return null;
+    const body = await this.#raycaster.body(node, lattice.lattice);
+    if (this.#isGone) {
+      body.destroy();
+      return null;
+    }
+    this.#known.set(nameOf(shown), body);
+    return body;
   }
 
   /** What was not looked at for long goes, where there is too much. */
-  #forget(needed: number): void {
-    const others = [...this.#known].slice(0, -needed);
+  #forget(needed: ReadonlySet<string>): void {
+    const others = [...this.#known].filter(([name]) => !needed.has(name));
     let bytes = others.reduce((sum, [, body]) => sum + body.bytes, 0);
     for (const [name, body] of others) {
       if (bytes <= MOST_BYTES) return;

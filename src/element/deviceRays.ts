@@ -11,7 +11,7 @@ import { taken } from '../gpu/taken.ts';
 import type { Scene, SurfaceImage } from '../scene/index.ts';
 import { TEST, WITH_GRADIENT } from '../skeleton/work.ts';
 import type { View } from '../stroke/stroke.ts';
-import type { Caster, CastImages, CastListener, ShownBody } from './caster.ts';
+import { type Caster, type CastImages, type CastListener, MOST_RAYS, type ShownBody } from './caster.ts';
 import { DeviceBodies } from './deviceBodies.ts';
 import { DeviceImages, Slot } from './deviceImages.ts';
 import { messageOf } from './events.ts';
@@ -23,6 +23,8 @@ const BAND = 8;
 const COARSER = [1, 2, 4] as const;
 /** ms until an image that nobody draws makes room for the next */
 const UNSEEN = 100;
+/** rays a pixel: what the next band has at least, though the last one was paper */
+const SPARSE = 0.25;
 const MIDDLE = [0.5, 0.5] as const;
 
 interface Casting {
@@ -45,6 +47,8 @@ export class DeviceRays implements Caster {
   #ready: Ready | null = null;
   /** null: nothing is wanted, or all of it is there */
   #casting: Casting | null = null;
+  /** the same of the last band */
+  #density = 1;
   /** rays a pixel of the last live image: bodies do not fill it, or cover each other */
   #share = 1;
   /** a live image is being timed */
@@ -73,7 +77,8 @@ export class DeviceRays implements Caster {
   ): SurfaceImage | null {
     const placed = this.#ready?.bodies.known(bodies);
     const takes = this.#pace.milliseconds(this.#share * pixels.width * pixels.height) ?? Infinity;
-    const coarser = COARSER.find((side) => takes <= milliseconds * side * side);
+    const fits = (side: number) => pixels.width * pixels.height <= MOST_RAYS * side * side;
+    const coarser = COARSER.find((side) => takes <= milliseconds * side * side && fits(side));
     if (!placed || coarser === undefined || !this.#ready) return null;
     const { raycaster } = this.#ready;
     const side = (length: number) => Math.max(1, Math.round(length / coarser));
@@ -101,8 +106,8 @@ export class DeviceRays implements Caster {
     this.#refuse('given up');
     this.idle();
     void this.#loading?.then(
-      ({ raycaster, bodies }) => {
-        bodies.destroy();
+      async ({ raycaster, bodies }) => {
+        await bodies.destroy();
         raycaster.destroy();
       },
       () => {},
@@ -117,7 +122,8 @@ export class DeviceRays implements Caster {
       images.share = share;
       listener.changed();
     });
-    if (!placed || !wanted()) return;
+    if (!wanted()) return;
+    if (!placed) throw new Error('its bodies are gone');
     const start = performance.now();
     images.cast = { raycaster, bodies: placed };
     for (let number = 0; number < images.whole; number++) {
@@ -146,13 +152,15 @@ export class DeviceRays implements Caster {
       // another image may have taken the room in between: then this one begins anew
       const { height } = images.begun(number);
       if (slot.rowsOf(images, number) >= height) return true;
-      const rows = Math.ceil(this.#pace.rays(BAND) / camera.width);
+      const rows = Math.ceil(this.#pace.rays(BAND) / (camera.width * Math.max(this.#density, SPARSE)));
+      const before = slot.rowsOf(images, number);
       const start = performance.now();
       const rays = await taken(this.#device, 'rays', () =>
         slot.go(cast.raycaster, cast.bodies, camera, rows),
       );
       await this.#device.queue.onSubmittedWorkDone();
       this.#pace.hear(rays, performance.now() - start);
+      this.#density = rays / (camera.width * Math.min(rows, height - before));
       if (this.#casting === casting && number === 0) {
         images.share = images.known[1];
         listener.changed();

@@ -13,7 +13,7 @@ import { type Document, isBody } from '../document/document.ts';
 import type { RayCamera } from '../field/rayImage.ts';
 import type { Scene, SurfaceImage } from '../scene/index.ts';
 import type { View } from '../stroke/stroke.ts';
-import type { Caster, CastImages, ShownBody } from './caster.ts';
+import { type Caster, type CastImages, MOST_RAYS, type ShownBody } from './caster.ts';
 import { keyOf, RayWorker } from './rayWorker.ts';
 
 /** ms without a change until rays are cast, or until what was cast is shown again */
@@ -30,8 +30,6 @@ const PART = 0.3;
 const PAUSE = 1500;
 /** ms without a wish until workers end: bricks are worth keeping while somebody goes back and forth */
 const IDLE = 20_000;
-/** rays a picture: larger ones have a ray for several pixels */
-const MOST_RAYS = 2.4e6;
 
 const MIDDLE = [0.5, 0.5] as const;
 
@@ -98,7 +96,9 @@ export class Exact {
     }
     if (!this.#rested) return false;
     if (!this.#images) this.#begin(bodies, camera);
-    return this.#refine(scene);
+    const isDrawn = this.#refine(scene);
+    if (this.isWhole) this.#letGo();
+    return isDrawn;
   }
 
   /** Draws a frame of something that moves by rays as well, where they are fast enough; false: it is to be drawn with meshes. */

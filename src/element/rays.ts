@@ -21,7 +21,7 @@ export class Rays implements Caster {
   #device: Caster | null = null;
   #isSoftware = false;
   /** trees that the device could not cast, though it should */
-  readonly #refused = new WeakSet<FieldNode>();
+  #refused = new WeakSet<FieldNode>();
 
   constructor(
     workers: Caster = new RayWorker(),
@@ -37,6 +37,7 @@ export class Rays implements Caster {
     this.#device = device && this.#onDevice(device);
     before?.end();
     this.#isSoftware = description?.software ?? false;
+    this.#refused = new WeakSet();
   }
 
   cast(bodies: readonly ShownBody[], camera: RayCamera, listener: CastListener): CastImages {

@@ -25,7 +25,7 @@ export interface RayImage {
   readonly surface: Float32Array;
   /**
    * Four a pixel: red, green, blue (0–1, linear), and 1 + the place of the body among those that were cast. Where there is none 0, and PASSED
-   * instead of red if a ray passed one by less than a pixel.
+   * instead of red if a ray passed one by less than half a pixel.
    */
   readonly colours: Float32Array;
 }

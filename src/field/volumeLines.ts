@@ -59,6 +59,7 @@ export function linesOf(volume: Volume): readonly Line[] {
 
 function ofCylinder({ a, b, radius }: Cylinder): readonly Line[] {
   const axis = sub3(b, a);
+  if (axis.every((along) => along === 0)) return [];
   const least = axis.map(Math.abs).indexOf(Math.min(...axis.map(Math.abs)));
   const u = unit(cross3(axis, [0, 1, 2].map((i) => (i === least ? 1 : 0)) as unknown as Vec3));
   const v = unit(cross3(axis, u));

@@ -61,7 +61,7 @@ export function boundingVolumes(node: SkelsNode, overlap = OVERLAP): readonly Vo
 }
 
 /** `radius`: the offset distance, mm. */
-export function volumesOf(skel: Skel, radius: number): readonly Volume[] {
+function volumesOf(skel: Skel, radius: number): readonly Volume[] {
   if (!(radius > 0)) return [];
   const sphere = (centre: Vec3): Volume => ({ type: 'sphere', centre, radius });
   const along = (a: Vec3, b: Vec3): Volume => ({ type: 'cylinder', a, b, radius });

@@ -98,7 +98,9 @@ describe('the worker', () => {
     }
     expect(of(12, 'locating')).toEqual([]);
     expect(of(13, 'locating')).toEqual([]);
+    // balls that hold no surface are known then
     expect(evaluations[2]).toBeLessThan(evaluations[0]! * (1 + 1e-9));
+    expect(evaluations[2]).toBeGreaterThan(0.2 * evaluations[0]!);
   });
 
   test.each([1, 2, 3])('of many wishes at any moment the last is cast, seed %d', async (seed) => {

@@ -90,7 +90,7 @@ export const loadClear = (device: GPUDevice): Promise<GPUComputePipeline> =>
   loadStage(device, { ...SHADERS, 'record/rayCamera': RAY_CAMERA.wgsl }, 'clear', 'clear_pixels');
 
 /** All that the stages import. */
-export const rayModules = (ingredients: Ingredients): Modules => ({
+const rayModules = (ingredients: Ingredients): Modules => ({
   ...brickModules(ingredients),
   distance: '#import raycast/distance\n',
   isDistance: distances(ingredients),
