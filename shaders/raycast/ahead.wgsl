@@ -1,6 +1,7 @@
 #import kernel/change
 
-// What a field surely is ahead of a point, along a ray. Twin of src/skeleton/ahead.ts and src/field/rayAhead.ts.
+// What a field surely is ahead of a point, along a ray. Twin of src/skeleton/ahead.ts and src/field/rayAhead.ts, without the bounds that hold
+// anywhere (src/kernel/smooth.ts) and the balls that know of no surface (src/field/rayBalls.ts): shorter steps, and a surface is never passed.
 
 // How far the value keeps its sign, how fast it changes at most, and as far as both hold; mm along the ray.
 struct Sight {

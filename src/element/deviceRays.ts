@@ -23,7 +23,7 @@ const BAND = 8;
 const COARSER = [1, 2, 4] as const;
 /** ms until an image that nobody draws makes room for the next */
 const UNSEEN = 100;
-/** rays a pixel: what the next band has at least, though the last one was paper */
+/** rays a pixel: what the next picture or band has at least, though the last one was paper */
 const SPARSE = 0.25;
 const MIDDLE = [0.5, 0.5] as const;
 
@@ -76,7 +76,8 @@ export class DeviceRays implements Caster {
     milliseconds: number,
   ): SurfaceImage | null {
     const placed = this.#ready?.bodies.known(bodies);
-    const takes = this.#pace.milliseconds(this.#share * pixels.width * pixels.height) ?? Infinity;
+    const takes =
+      this.#pace.milliseconds(Math.max(this.#share, SPARSE) * pixels.width * pixels.height) ?? Infinity;
     const fits = (side: number) => pixels.width * pixels.height <= MOST_RAYS * side * side;
     const coarser = COARSER.find((side) => takes <= milliseconds * side * side && fits(side));
     if (!placed || coarser === undefined || !this.#ready) return null;

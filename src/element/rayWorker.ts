@@ -125,6 +125,8 @@ export class RayWorker implements Caster {
 
   /** What could not be fetched, may not be run, or broke down answers nobody. */
   #lose(hand: Hand, why: string): void {
+    // it may break down more than once
+    if (!this.#hands.includes(hand)) return;
     hand.worker.terminate();
     this.#hands = this.#hands.filter((other) => other !== hand);
     this.#casting?.jobs.giveBack(hand.inHand);

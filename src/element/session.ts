@@ -515,6 +515,8 @@ export class Session implements Bench, Viewport {
   attach(scene: Scene): void {
     if (this.scene !== scene) this.scene?.dispose();
     this.scene = scene;
+    // images lie on the device of the scene before
+    this.exact.rest();
     this.rays.use(scene);
     this.frames.version++;
     scene.rig.setView(this.#lastView, false);
