@@ -76,13 +76,23 @@ export function thinParts(parts: readonly Named[]): string[] {
       const where = `${counts(places - gaps)}, ${Number(least.toPrecision(2))} mm at the thinnest`;
       return `hardly thicker than a cell or two in ${where}, so that pieces may be missing`;
     }),
-    ...told(near, ({ gaps }) => `gaps of a cell or less, which may have closed, in ${counts(gaps)}`),
+    ...told(
+      near,
+      ({ gaps }) => `gaps of a cell or less, which may have closed, in ${counts(gaps)}`,
+      // bodies that nearly touch are nearer to each other than any cell sees
+      (resolution) =>
+        `${resolution ? `--resolution ${resolution} or more` : `not even --resolution ${RESOLUTION.max}`} tells more`,
+    ),
   ];
 }
 
-function told(parts: readonly Named[], what: (whole: ThinPlaces) => string): string[] {
+function told(
+  parts: readonly Named[],
+  what: (whole: ThinPlaces) => string,
+  helps: (resolution: number | null) => string = remedy,
+): string[] {
   const whole = thinTotal(parts);
-  return whole ? [`${what(whole)}: ${namesOf(parts)}; ${remedy(whole)}`] : [];
+  return whole ? [`${what(whole)}: ${namesOf(parts)}; ${helps(whole.resolution)}`] : [];
 }
 
 const counts = (places: number): string => (places === 1 ? '1 place' : `${places} places`);
@@ -92,11 +102,11 @@ export function lostParts(parts: readonly Named[]): string[] {
   const whole = thinTotal(parts);
   if (!whole) return [];
   return [
-    `${counted(parts, 'part')} left out, because no cell is small enough for what is that thin: ${namesOf(parts)}; ${remedy(whole)}`,
+    `${counted(parts, 'part')} left out, because no cell is small enough for what is that thin: ${namesOf(parts)}; ${remedy(whole.resolution)}`,
   ];
 }
 
-const remedy = ({ resolution }: ThinPlaces): string =>
+const remedy = (resolution: number | null): string =>
   resolution === null
     ? `not even --resolution ${RESOLUTION.max} shows all of it`
     : `--resolution ${resolution} shows all of it`;
