@@ -7,10 +7,10 @@
 import type { Kernel, KernelParams } from '../../kernel/kernel.ts';
 import { length2, sub2 } from '../../math/tuple.ts';
 import { widthFor } from '../weight.ts';
-import { type MedialGraph, medialAxis } from './axis.ts';
+import { type MedialAxis, type MedialGraph, medialAxis } from './axis.ts';
 import { FITTING, type FitOptions, type Fitted, fitWeights } from './fit.ts';
-import { along, type Loop } from './outline.ts';
-import { PRUNING, type PruneOptions, prune } from './prune.ts';
+import { along, type Loop, roundOf, sizeOf, spaced } from './outline.ts';
+import { PRUNING, type PruneOptions, prune, prunings } from './prune.ts';
 import { SIMPLIFYING, type SimplifyOptions, simplify } from './simplify.ts';
 
 export type SkeletonOptions = PruneOptions & SimplifyOptions;
@@ -23,10 +23,17 @@ const FITTED = 240;
 
 /** Loops do not cross; empty where they hold nothing. */
 export function skeletonOf(loops: readonly Loop[], options: SkeletonOptions = SKELETON): MedialGraph {
-  const step = roundOf(loops) / PLACES;
-  if (!(step > 0)) return { nodes: [], links: [] };
-  const fine = loops.map((loop) => along([loop], step));
-  return simplify(prune(medialAxis(fine), fine, options), options);
+  const { axis, fine } = axisOf(loops);
+  return simplify(prune(axis, fine, options), options);
+}
+
+/** Of the outline by evenly spaced places; with its corners where they would cross. */
+function axisOf(loops: readonly Loop[], count = PLACES): { axis: MedialAxis; fine: readonly Loop[] } {
+  const fine = spaced(loops, count);
+  const axis = medialAxis(fine);
+  if (axis.triangulation.isDelaunay) return { axis, fine };
+  const cornered = loops.map((loop) => along([loop], roundOf(loops) / count));
+  return { axis: medialAxis(cornered), fine: cornered };
 }
 
 export interface Silhouette extends Fitted {
@@ -63,22 +70,15 @@ export function silhouetteOf(
   threshold: number,
 ): Silhouette | null {
   let best: Silhouette | null = null;
-  for (const branch of DETAIL) {
-    const skeleton = skeletonOf(loops, { ...SKELETON, branch });
+  const { axis, fine } = axisOf(loops);
+  for (const pruned of prunings(axis, fine, DETAIL)) {
+    const skeleton = simplify(pruned());
     if (skeleton.nodes.length === 0) return null;
     const found = silhouetteSkels(skeleton, loops, kernel, params, threshold);
     if (!best || found.most < 0.9 * best.most) best = found;
     if (found.most <= ENOUGH * sizeOf(loops)) break;
   }
   return best;
-}
-
-function sizeOf(loops: readonly Loop[]): number {
-  const flat = loops.flat();
-  const span = (axis: 0 | 1) =>
-    flat.reduce((most, p) => Math.max(most, p[axis]), -Infinity) -
-    flat.reduce((least, p) => Math.min(least, p[axis]), Infinity);
-  return Math.max(span(0), span(1));
 }
 
 /** widths are made for radii smaller than they are by this: s R = 1.2; at .8 the thirty outlines of the tests are a fifth further off */
@@ -110,5 +110,3 @@ export function thinnest({ nodes, links }: MedialGraph): number {
   return nodes.reduce((least, { radius }) => Math.min(least, radius), Infinity);
 }
 
-const roundOf = (loops: readonly Loop[]): number =>
-  loops.flatMap((loop) => loop.map((p, i) => length2(sub2(p, loop.at(i - 1)!)))).reduce((a, b) => a + b, 0);
