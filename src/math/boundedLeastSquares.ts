@@ -19,7 +19,9 @@ export interface Normal {
 
 /** of the largest unknown: a round that changes less is the last */
 const SETTLED = 1e-8;
-const MOST_ROUNDS = 100;
+const MOST_ROUNDS = 60;
+/** of all unknowns in turn, after each jump */
+const TURNS = 2;
 /** of the diagonal: what is left of it below is rounding */
 const DEPENDENT = 1e-13;
 
@@ -55,21 +57,39 @@ export function addRow({ matrix, right }: Normal, row: ArrayLike<number>, y: num
   }
 }
 
-/** min ½ xᵀ M x − rᵀ x within the bounds. */
+/** A row with these few entries, `times` over. */
+export function addEntries(
+  { matrix, right }: Normal,
+  entries: readonly (readonly [number, number])[],
+  y: number,
+  times: number,
+): void {
+  for (const [j, a] of entries) {
+    right[j] = right[j]! + times * a * y;
+    for (const [k, b] of entries) {
+      const at = j * right.length + k;
+      if (k >= j) matrix[at] = matrix[at]! + times * a * b;
+    }
+  }
+}
+
+/** min ½ xᵀ M x − rᵀ x within the bounds, nearly so after the `most` rounds: each comes nearer. */
 export function boundedMinimum(
   { matrix, right }: Normal,
   low: ArrayLike<number>,
   high: ArrayLike<number>,
   start: readonly number[],
+  most = MOST_ROUNDS,
 ): Bounded {
   const n = start.length;
   for (let j = 0; j < n; j++) for (let k = 0; k < j; k++) matrix[j * n + k] = matrix[k * n + j]!;
   const x = Float64Array.from(start, (value, j) => Math.min(Math.max(value, low[j]!), high[j]!));
   const search = new Search(matrix, right, low, high, x);
   for (let rounds = 1; ; rounds++) {
-    const change = Math.max(search.turns(), search.jump());
+    let change = search.jump();
+    for (let turn = 0; turn < TURNS; turn++) change = Math.max(change, search.turns());
     const size = x.reduce((most, value) => Math.max(most, Math.abs(value)), 0);
-    if (change <= SETTLED * size || rounds === MOST_ROUNDS) return { x: [...x], rounds };
+    if (change <= SETTLED * size || rounds === most) return { x: [...x], rounds };
   }
 }
 
@@ -112,10 +132,11 @@ class Search {
     return change;
   }
 
-  /** All that are not held by a bound at once, up to where the first meets its own; the largest change. */
+  /** All that are not held by a bound at once, each up to its own bound if that is better, or else all up to the first; the largest change. */
   jump(): number {
     const x = this.#x;
     const free: number[] = [];
+    const rests: number[] = [];
     for (let j = 0; j < x.length; j++) {
       const rest = this.#rest(j);
       if (!(this.#matrix[j * x.length + j]! > 0)) continue;
@@ -123,21 +144,37 @@ class Search {
       if (x[j]! >= this.#high[j]! && rest >= 0) continue;
       this.#step[free.length] = rest;
       free.push(j);
+      rests.push(rest);
     }
     this.#solve(free);
-    let share = 1;
-    free.forEach((j, i) => {
-      const by = this.#step[i]!;
-      const room = by > 0 ? this.#high[j]! - x[j]! : this.#low[j]! - x[j]!;
-      if (by !== 0 && room / by < share) share = room / by;
-    });
+    const cut = free.map((j, i) => this.#within(j, x[j]! + this.#step[i]!) - x[j]!);
+    if (this.#gain(free, rests, cut) < 0) {
+      let share = 1;
+      free.forEach((j, i) => {
+        const by = this.#step[i]!;
+        const room = by > 0 ? this.#high[j]! - x[j]! : this.#low[j]! - x[j]!;
+        if (by !== 0 && room / by < share) share = room / by;
+      });
+      for (const i of cut.keys()) cut[i] = share * this.#step[i]!;
+    }
     let change = 0;
     free.forEach((j, i) => {
-      const next = this.#within(j, x[j]! + share * this.#step[i]!);
-      change = Math.max(change, Math.abs(next - x[j]!));
-      x[j] = next;
+      x[j] = this.#within(j, x[j]! + cut[i]!);
+      change = Math.max(change, Math.abs(cut[i]!));
     });
     return change;
+  }
+
+  /** By how much the sum of squares, halved, falls with a step. */
+  #gain(free: readonly number[], rests: readonly number[], step: readonly number[]): number {
+    const n = this.#x.length;
+    let gain = 0;
+    free.forEach((j, i) => {
+      let sum = rests[i]!;
+      for (let k = 0; k < free.length; k++) sum -= 0.5 * this.#matrix[j * n + free[k]!]! * step[k]!;
+      gain += sum * step[i]!;
+    });
+    return gain;
   }
 
   #within(j: number, value: number): number {

@@ -37,7 +37,12 @@ export function triangulate(loops: readonly Loop[]): Triangulation {
   const delaunay = constrained(points, edges);
   const all = delaunay ?? ears(points, rings);
   const triangles = insideOf(all, points, edges);
-  return { points, triangles, across: neighbours(triangles, edges, points.length), isDelaunay: delaunay !== null };
+  return {
+    points,
+    triangles,
+    across: neighbours(triangles, edges, points.length),
+    isDelaunay: delaunay !== null,
+  };
 }
 
 /** Loops as indices of different points; those that vanish are left out. */

@@ -54,7 +54,8 @@ export function isWithin(edges: Float64Array, x: number, y: number): boolean {
   return inside;
 }
 
-export const distanceTo = ([x, y]: Vec2, loops: readonly Loop[]): number => distanceFrom(edgesOf(loops), x, y);
+export const distanceTo = ([x, y]: Vec2, loops: readonly Loop[]): number =>
+  distanceFrom(edgesOf(loops), x, y);
 export const isInside = ([x, y]: Vec2, loops: readonly Loop[]): boolean => isWithin(edgesOf(loops), x, y);
 
 /** mm round all loops. */

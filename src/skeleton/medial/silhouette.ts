@@ -19,7 +19,7 @@ export const SKELETON: SkeletonOptions = { ...PRUNING, ...SIMPLIFYING };
 
 /** places along the outline: for the skeleton, and for the fit */
 const PLACES = 400;
-const FITTED = 240;
+const FITTED = 200;
 
 /** Loops do not cross; empty where they hold nothing. */
 export function skeletonOf(loops: readonly Loop[], options: SkeletonOptions = SKELETON): MedialGraph {
@@ -53,7 +53,7 @@ export function silhouetteSkels(
   // a kernel with a support has to reach the outline from where the form is widest
   const least = kernel.support < Infinity ? REACHING * largest : 0;
   const fitted = widthFor(kernel, params, Math.max(thinnest(skeleton) / SHARPER, least));
-  const places = along(loops, roundOf(loops) / FITTED);
+  const places = spaced(loops, FITTED).flat();
   return { ...fitWeights(skeleton, places, kernel, fitted, threshold, options), params: fitted };
 }
 
@@ -71,8 +71,12 @@ export function silhouetteOf(
 ): Silhouette | null {
   let best: Silhouette | null = null;
   const { axis, fine } = axisOf(loops);
+  let before = 0;
   for (const pruned of prunings(axis, fine, DETAIL)) {
-    const skeleton = simplify(pruned());
+    const whole = pruned();
+    if (whole.nodes.length === before) continue;
+    before = whole.nodes.length;
+    const skeleton = simplify(whole);
     if (skeleton.nodes.length === 0) return null;
     const found = silhouetteSkels(skeleton, loops, kernel, params, threshold);
     if (!best || found.most < 0.9 * best.most) best = found;
@@ -109,4 +113,3 @@ export function thinnest({ nodes, links }: MedialGraph): number {
   }
   return nodes.reduce((least, { radius }) => Math.min(least, radius), Infinity);
 }
-
