@@ -26,7 +26,7 @@ export type Edge = readonly [number, number];
 /** share of the box's longer side: points nearer are one */
 const WELD = 1e-6;
 /** more than the box has grid lines */
-const ROW = 2 ** 21;
+const ROW = 2097152;
 /** twice the area over the square of the longest side */
 const SLIVER = 1e-9;
 
