@@ -73,6 +73,10 @@ const FLAT = 0.5;
 const STAY = 4;
 /** rounds of a step: the next one goes on */
 const TRIES = 8;
+/** of a step that is tried: the first that helps */
+const SHARES = [1, 0.5, 0.25];
+/** share of the misfit: a step that gains less is the last */
+const GAIN = (globalThis as any).GAIN ?? 0.02;
 /** share of a support that a weight is made for */
 const WITHIN = 0.9;
 /** mm: no circle is taken as smaller */
@@ -90,16 +94,9 @@ export function fitWeights(
   options: FitOptions = FITTING,
 ): Fitted {
   const fit = new Fit(graph, Float64Array.from(places.flat()), kernel, params, threshold, options);
-  for (let round = 0; round < options.rounds; round++) fit.step(false);
-  let best = fit.result();
-  for (let round = 0; round < options.moves && options.move > 0; round++) {
-    fit.step(true);
-    const next = fit.result();
-    // first order has gone too far
-    if (!(next.residual < best.residual)) break;
-    best = next;
-  }
-  return best;
+  for (let round = 0; round < options.rounds; round++) fit.weigh();
+  for (let round = 0; round < options.moves && options.move > 0; round++) if (!fit.move()) break;
+  return fit.result();
 }
 
 class Fit {
@@ -152,39 +149,62 @@ class Fit {
     this.#isBeside = isPoint.map((is) => is && graph.links.length > 0);
     this.#x = this.#isBeside.map((is) => (is ? POINT : 1));
     this.#moves = graph.nodes.flatMap(() => [0, 0]);
-    this.#basis = this.#look(options.rounds === 0);
+    this.#basis = this.#look(null);
   }
 
-  /** Gauss–Newton, in weights and, when `moves`, in places of nodes. */
-  step(moves: boolean): void {
+  /** Gauss–Newton in weights. */
+  weigh(): void {
+    this.#x = this.#best([...this.#x], false);
+    this.#measure();
+  }
+
+  /** The same in weights and places of nodes: as far as it helps, or else, when first order has gone too far, half or a quarter. */
+  move(): boolean {
+    if (!this.#basis.shifts) this.#look();
+    const before = [...this.#x, ...this.#moves];
+    const misfit = this.#misfit();
+    const there = this.#best(before, true);
+    for (const share of SHARES) {
+      this.#go(there.map((value, i) => before[i]! + share * (value - before[i]!)));
+      const now = this.#misfit();
+      if (now < misfit) return now < (1 - GAIN) * misfit;
+    }
+    this.#go(before);
+    return false;
+  }
+
+  #best(from: readonly number[], moves: boolean): readonly number[] {
     const { low, high, move } = this.#options;
-    if (moves && !this.#basis.shifts) this.#basis = this.#look(true);
     const shifts = moves ? this.#moves : [];
     const lows = [...this.#isBeside.map((is) => (is ? 0 : low)), ...shifts.map(() => -move)];
     const highs = [...this.#x.map(() => high), ...shifts.map(() => move)];
-    const { x } = boundedMinimum(this.#normal(moves), lows, highs, [...this.#x, ...shifts], TRIES);
-    this.#x = x.slice(0, this.#x.length);
-    if (!moves) {
-      this.#measure();
-      return;
-    }
-    this.#moves = x.slice(this.#x.length);
+    return boundedMinimum(this.#normal(moves), lows, highs, from, TRIES).x;
+  }
+
+  #go(to: readonly number[]): void {
+    this.#x = to.slice(0, this.#x.length);
+    this.#moves = to.slice(this.#x.length);
     const nodes = this.#graph.nodes.map(({ at, radius }, i) => ({
       at: [at[0] + radius * this.#moves[2 * i]!, at[1] + radius * this.#moves[2 * i + 1]!] as const,
       radius,
     }));
     this.#moved = { nodes, links: this.#graph.links };
-    this.#basis = this.#look(true);
+    this.#look();
+  }
+
+  /** Σ of squares, local radii. */
+  #misfit(): number {
+    let sum = 0;
+    for (const [at, above] of this.#above.entries()) sum += above * this.#per[at]! * (above * this.#per[at]!);
+    return sum;
   }
 
   result(): Fitted {
     const { links, nodes } = this.#graph;
     const x = this.#x;
-    let [squares, most] = [0, 0];
+    let most = 0;
     for (const [at, above] of this.#above.entries()) {
-      const off = Math.abs(above * this.#per[at]!);
-      squares += off * off;
-      most = Math.max(most, off * this.#radii[at]!);
+      most = Math.max(most, Math.abs(above * this.#per[at]!) * this.#radii[at]!);
     }
     const { low, high } = this.#options;
     const ends = x.slice(0, nodes.length).filter((weight) => weight <= low || weight >= high);
@@ -192,16 +212,15 @@ class Fit {
       graph: this.#moved,
       skels: skelsWith(layoutOf(this.#moved), this.#scales, x),
       relative: x,
-      residual: Math.sqrt(squares / Math.max(this.#above.length, 1)),
+      residual: Math.sqrt(this.#misfit() / Math.max(this.#above.length, 1)),
       most,
       atBound: ends.length / Math.max(nodes.length, 1),
       ratio: links.reduce((most, [a, b]) => Math.max(most, x[a]! / x[b]!, x[b]! / x[a]!), 1),
     };
   }
 
-  #look(moves: boolean): Basis {
-    const x = moves ? this.#x : null;
-    const basis = basisAt(
+  #look(x: readonly number[] | null = this.#x): Basis {
+    this.#basis = basisAt(
       this.#moved,
       this.#layout,
       this.#scales,
@@ -210,9 +229,8 @@ class Fit {
       this.#params,
       x,
     );
-    this.#basis = basis;
     this.#measure();
-    return basis;
+    return this.#basis;
   }
 
   #measure(): void {

@@ -58,9 +58,9 @@ export function silhouetteSkels(
 }
 
 /** shares by which branches are pruned, until the surface follows the outline: what trembles less than it is off never comes back */
-const DETAIL = [PRUNING.branch, 0.12, 0.07, 0.04] as const;
+const DETAIL = (globalThis as any).DETAIL ?? ([PRUNING.branch, 0.12, 0.07, 0.04] as const);
 /** of the longer side of the outline */
-const ENOUGH = 0.012;
+const ENOUGH = (globalThis as any).ENOUGH ?? 0.012;
 
 /** The coarsest skeleton whose surface follows the outline, or else the one that does so best. Loops do not cross. */
 export function silhouetteOf(
@@ -86,7 +86,7 @@ export function silhouetteOf(
 }
 
 /** widths are made for radii smaller than they are by this: s R = 1.2; at .8 the thirty outlines of the tests are a fifth further off */
-const SHARPER = 4;
+const SHARPER = (globalThis as any).SHARPER ?? 4;
 /** of the largest radius: a quartic kernel for it is 1.34 of that wide */
 const REACHING = 0.9;
 /** of the length of a skeleton: what is thinner is a tip, and no limb */
