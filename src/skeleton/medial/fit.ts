@@ -42,11 +42,11 @@ export interface FitOptions {
 export const FITTING: FitOptions = {
   low: 0.05,
   high: 3,
-  fairness: 0.1,
+  fairness: 0.05,
   pull: 0.01,
   move: 0.3,
-  rounds: 3,
-  moves: 4,
+  rounds: 1,
+  moves: 5,
 };
 
 export interface Fitted {
@@ -59,6 +59,8 @@ export interface Fitted {
   readonly residual: number;
   /** mm by which it is off where it is most, to first order */
   readonly most: number;
+  /** the same of all places but the worst `CORNERS` of them, which may be at corners that no smooth field has */
+  readonly nearly: number;
   /** share of the weights at nodes that are at a bound, 0–1 */
   readonly atBound: number;
   /** largest quotient of relative weights of two nodes that are linked */
@@ -71,12 +73,14 @@ const POINT = 0.1;
 const FLAT = 0.5;
 /** damping of moves, against that of weights */
 const STAY = 4;
+/** share of the places */
+const CORNERS = 0.03;
 /** rounds of a step: the next one goes on */
-const TRIES = 8;
+const TRIES = 6;
 /** of a step that is tried: the first that helps */
 const SHARES = [1, 0.5, 0.25];
 /** share of the misfit: a step that gains less is the last */
-const GAIN = (globalThis as any).GAIN ?? 0.02;
+const GAIN = 0.03;
 /** share of a support that a weight is made for */
 const WITHIN = 0.9;
 /** mm: no circle is taken as smaller */
@@ -202,10 +206,7 @@ class Fit {
   result(): Fitted {
     const { links, nodes } = this.#graph;
     const x = this.#x;
-    let most = 0;
-    for (const [at, above] of this.#above.entries()) {
-      most = Math.max(most, Math.abs(above * this.#per[at]!) * this.#radii[at]!);
-    }
+    const offs = this.#above.map((above, at) => Math.abs(above * this.#per[at]!) * this.#radii[at]!).sort();
     const { low, high } = this.#options;
     const ends = x.slice(0, nodes.length).filter((weight) => weight <= low || weight >= high);
     return {
@@ -213,7 +214,8 @@ class Fit {
       skels: skelsWith(layoutOf(this.#moved), this.#scales, x),
       relative: x,
       residual: Math.sqrt(this.#misfit() / Math.max(this.#above.length, 1)),
-      most,
+      most: offs.at(-1) ?? 0,
+      nearly: offs[Math.floor((1 - CORNERS) * (offs.length - 1))] ?? 0,
       atBound: ends.length / Math.max(nodes.length, 1),
       ratio: links.reduce((most, [a, b]) => Math.max(most, x[a]! / x[b]!, x[b]! / x[a]!), 1),
     };

@@ -22,7 +22,7 @@ export const PRUNING: PruneOptions = { branch: 0.2, end: 0.05 };
 /** of the widest circle of an end: narrower ones before it are a spur */
 const SHRUNK = 0.9;
 /** places of the outline that are looked at */
-const PLACES = 400;
+const PLACES = 260;
 /** mm², so that a circle without a radius has a finite reciprocal */
 const TINY = 1e-300;
 
