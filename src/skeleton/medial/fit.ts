@@ -68,7 +68,7 @@ export interface Fitted {
 }
 
 /** nodes: more stay where they are, or steps would take seconds */
-const MANY = 150;
+const MANY = 100;
 /** of a point beside segments, where nothing says otherwise */
 const POINT = 0.1;
 /** slopes flatter than this many thresholds a radius are taken as this: where the field has its top, first order says nothing */
@@ -79,6 +79,8 @@ const STAY = 4;
 const CORNERS = 0.03;
 /** rounds of a step: the next one goes on */
 const TRIES = 6;
+/** unknowns: of more than these, one round */
+const LARGE = 120;
 /** of a step that is tried: the first that helps */
 const SHARES = [1, 0.5, 0.25];
 /** share of the misfit: a step that gains less is the last */
@@ -185,7 +187,7 @@ class Fit {
     const shifts = moves ? this.#moves : [];
     const lows = [...this.#isBeside.map((is) => (is ? 0 : low)), ...shifts.map(() => -move)];
     const highs = [...this.#x.map(() => high), ...shifts.map(() => move)];
-    return boundedMinimum(this.#normal(moves), lows, highs, from, TRIES).x;
+    return boundedMinimum(this.#normal(moves), lows, highs, from, from.length > LARGE ? 1 : TRIES).x;
   }
 
   #go(to: readonly number[]): void {
