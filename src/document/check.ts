@@ -4,6 +4,7 @@
  */
 import * as v from 'valibot';
 import type { Stroke } from '../stroke/stroke.ts';
+import { itemsOf } from './command/changeParts.ts';
 import { apply, type Command } from './command/index.ts';
 import { command as commandSchema, idsOf } from './commandSchema.ts';
 import type { Document } from './document.ts';
@@ -88,7 +89,7 @@ export function applyChecked(
   { file, path = [] }: Whereabouts,
 ): Document {
   const ids = idsOf(command);
-  const known = new Set(ids.length ? document.parts.map(({ id }) => id) : []);
+  const known = new Set(ids.length ? itemsOf(document).map(({ id }) => id) : []);
   const missing = ids.findIndex((id) => !known.has(id));
   if (missing >= 0) {
     const place = 'id' in command ? ['id'] : ['ids', missing];

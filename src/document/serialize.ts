@@ -5,7 +5,7 @@
  */
 import { applyChecked, checked } from './check.ts';
 import { apply, type Command } from './command/index.ts';
-import { type Document, EMPTY_DOCUMENT, isBody } from './document.ts';
+import { type Document, EMPTY_DOCUMENT, isBody, isSolid } from './document.ts';
 import type { Drawing } from './drawing.ts';
 import { FRONT_VIEW } from './drawing.ts';
 import { FileError, shown } from './fileError.ts';
@@ -79,7 +79,7 @@ function checkVersion(version: Version, needed: number, file: string): void {
   throw new FileError(
     file,
     'version',
-    `expected ${needed}, because there are bodies in it, found ${version}`,
+    `expected ${needed}, because there are ${needed > 3 ? 'solids' : 'bodies'} in it, found ${version}`,
   );
 }
 
@@ -123,15 +123,32 @@ export function serializeScript(commands: readonly Command[], drawing: Drawing):
 }
 
 /** The lowest that holds what there is. */
-const versionOf = ({ parts }: Document): Version => (parts.some(isBody) ? 2 : 1);
+function versionOf({ parts, draft }: Pick<Document, 'parts' | 'draft'>): Version {
+  if (parts.some(isSolid) || draft?.form || draft?.joins || draft?.carves) return 4;
+  return parts.some(isBody) ? 2 : 1;
+}
+
+/** Commands that came with solids, or say what only solids know. */
+const LATE: readonly Command['type'][] = [
+  'scaleParts',
+  'mirrorParts',
+  'paste',
+  'setForm',
+  'setGroups',
+  'setComponents',
+  'moveGroups',
+  'editSkeleton',
+];
 
 function versionOfCommand(command: Command): Version {
   if (command.type === 'load') return versionOf(command.document);
+  if (LATE.includes(command.type)) return 4;
+  if (command.type === 'addStroke') return command.form || command.joins || command.carves ? 4 : 1;
   return command.type === 'addBody' || command.type === 'setBody' ? 2 : 1;
 }
 
 function head(format: string, needed: Version, { name, view, look }: Drawing) {
-  const version: Version = look.mode === 'exact' ? 3 : needed;
+  const version = Math.max(look.mode === 'exact' ? 3 : 1, needed) as Version;
   return { format, version, unit: 'mm', name, view: writtenView(view), look: writtenLook(look) };
 }
 

@@ -12,6 +12,8 @@ export const GROWING: readonly Command['type'][] = [
   'addStroke',
   'addBody',
   'setBody',
+  'paste',
+  'editSkeleton',
   'duplicateParts',
   'load',
 ];

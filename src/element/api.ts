@@ -4,11 +4,12 @@
  */
 import { LitElement, type PropertyDeclarations, type PropertyValues } from 'lit';
 import type { Command } from '../document/command/index.ts';
-import { type Document, isBody } from '../document/document.ts';
+import { type Document, isImplicit } from '../document/document.ts';
 import type { Drawing } from '../document/drawing.ts';
 import { redoable, undoable } from '../document/history.ts';
 import type { Mode, Style } from '../document/look.ts';
 import { checkDrawing, FileError, parse, serialize, serializeScript } from '../document/serialize.ts';
+import { nodeOf } from '../document/solidNode.ts';
 import type { Format, OutFile } from '../export/index.ts';
 import type { Comparison } from '../field/zhuImage.ts';
 import type { Scene } from '../scene/index.ts';
@@ -238,10 +239,7 @@ export abstract class SketchApi extends LitElement {
     }
     const { document, session } = this;
     const seen = document.parts.filter(({ hidden }) => !hidden);
-    await session.bodies.exactly(
-      seen.filter(isBody).map(({ node }) => node),
-      waiting,
-    );
+    await session.bodies.exactly(seen.filter(isImplicit).map(nodeOf), waiting);
     return exporters[format].write(modelOf(document, session.name));
   }
 

@@ -1,10 +1,10 @@
 /** What can be set of the selected parts: name, colour, radius. What is set of several is set of all. */
 import { html, nothing, type TemplateResult } from 'lit';
 import { live } from 'lit/directives/live.js';
-import { bodyCounts } from '../document/bodyCounts.ts';
+import { countsOfPart } from '../document/bodyCounts.ts';
 import { CLAY, solidOf } from '../document/build.ts';
 import { LONGEST_NAME } from '../document/command/renamePart.ts';
-import { colourOf, isBody, type Part, RADIUS_RANGE, type SurfacePart } from '../document/document.ts';
+import { colourOf, isImplicit, type Part, RADIUS_RANGE, type SurfacePart } from '../document/document.ts';
 import { colourName, spheres } from './colours.ts';
 import { radiusToSlider, sliderToRadius } from './controls.ts';
 import { flawsOf } from './flaws.ts';
@@ -96,8 +96,8 @@ function radius(session: Session, parts: readonly Part[]): TemplateResult | type
 
 /** "2 strokes", "12 skels" */
 export function madeOf(part: Part): string {
-  return isBody(part)
-    ? PART_WORDS.skels(bodyCounts(part.node).skels)
+  return isImplicit(part)
+    ? PART_WORDS.skels(countsOfPart(part).skels)
     : PART_WORDS.strokes(part.strokes.length);
 }
 

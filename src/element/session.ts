@@ -7,8 +7,9 @@ import { bodyMade } from '../document/bodies.ts';
 import { draftIsWhole, RESOLUTION } from '../document/build.ts';
 import { cellsOfBodies } from '../document/cells.ts';
 import type { Command } from '../document/command/index.ts';
-import { type Brush, type Document, EMPTY_DOCUMENT, isBody, readingOf } from '../document/document.ts';
+import { type Brush, type Document, EMPTY_DOCUMENT, isImplicit, readingOf } from '../document/document.ts';
 import { type Drawing, FRONT_VIEW } from '../document/drawing.ts';
+import { bodiesOf } from '../document/fieldParts.ts';
 import {
   commit,
   type History,
@@ -21,6 +22,7 @@ import {
 } from '../document/history.ts';
 import { type Background, DEFAULT_LOOK, type Look, type Mode, type Style } from '../document/look.ts';
 import { GROWING, isTooLarge } from '../document/size.ts';
+import { nodeOf } from '../document/solidNode.ts';
 import type { FieldNode } from '../field/node.ts';
 // Only the pure parts of the scene at once: three.js is fetched when there is a page to draw on.
 import type { Scene } from '../scene/index.ts';
@@ -129,8 +131,8 @@ export class Session implements Bench, Viewport {
   pick(x: number, y: number, except?: readonly string[]): Picked | null {
     const hit = this.scene?.pick(x, y, except) ?? null;
     if (!hit) return null;
-    const part = this.document.parts.filter(isBody).find(({ id }) => id === hit.id);
-    const made = part && bodyMade(part.node);
+    const part = this.document.parts.filter(isImplicit).find(({ id }) => id === hit.id);
+    const made = part && bodyMade(nodeOf(part));
     return made ? pickedOn(hit, part, rayAt(this.view, this.size, x, y), made) : { ...hit, skel: null };
   }
 
@@ -178,7 +180,7 @@ export class Session implements Bench, Viewport {
 
   /** Those that are seen are made beside the page. */
   wantBodies(): void {
-    const seen = this.document.parts.filter((part) => !part.hidden).filter(isBody);
+    const seen = bodiesOf(this.shown()).filter(({ hidden }) => !hidden);
     if (seen.length === 0) this.bodies.want([]);
     else this.bodies.want(seen, cellsOfBodies(this.document));
   }
@@ -188,7 +190,7 @@ export class Session implements Bench, Viewport {
       this.#hooks.changed();
       return;
     }
-    const lost = this.document.parts.filter(isBody).find(({ node }) => this.#isNewProblem(node));
+    const lost = bodiesOf(this.document).find(({ node }) => this.#isNewProblem(node));
     if (lost) {
       this.#told.add(lost.node);
       const text = WORDS.notMade(lost.name, this.bodies.problem(lost.node) ?? '');
@@ -201,7 +203,7 @@ export class Session implements Bench, Viewport {
 
   /** Once of each tree, when all is made: what is not seen of it. */
   #sayFlaws(): void {
-    const nodes = new Map(this.document.parts.filter(isBody).map(({ id, node }) => [id, node]));
+    const nodes = new Map(bodiesOf(this.document).map(({ id, node }) => [id, node]));
     // rays see what is thin, and whether gaps are open
     const isSeen = ({ what }: Flaw) => this.look.mode === 'mesh' || what === 'none' || what === 'cut';
     const fresh = this.flaws.filter((flaw) => isSeen(flaw) && !this.#told.has(nodes.get(flaw.part)!));
@@ -229,7 +231,7 @@ export class Session implements Bench, Viewport {
   /** What is being made, when that takes long enough to be asked about; '' otherwise. */
   get making(): string {
     const { making, share, elapsed } = this.bodies;
-    const part = this.document.parts.filter(isBody).find(({ node }) => node === making);
+    const part = bodiesOf(this.document).find(({ node }) => node === making);
     return part && elapsed > PATIENCE ? WORDS.making(part.name, Math.round(100 * share)) : '';
   }
 
@@ -475,7 +477,7 @@ export class Session implements Bench, Viewport {
 
   /** There is something that rays can be cast at. */
   get hasBodies(): boolean {
-    return this.document.parts.some((part) => isBody(part) && !part.hidden);
+    return bodiesOf(this.document).some(({ hidden }) => !hidden);
   }
 
   setMode(mode: Mode): void {
@@ -565,9 +567,9 @@ export class Session implements Bench, Viewport {
     const last = this.document.parts.at(-1);
     const kind = readingOf(this.document) ?? last?.kind;
     if (!kind) return '';
-    const body = last && isBody(last) ? bodyMade(last.node) : null;
+    const body = last && isImplicit(last) ? bodyMade(nodeOf(last)) : null;
     const grid = `${RESOLUTION.u} × ${RESOLUTION.v} mesh`;
-    const mesh = kind !== 'body' ? grid : body ? `${body.cells} cells` : '';
+    const mesh = kind !== 'body' && kind !== 'solid' ? grid : body ? `${body.cells} cells` : '';
     const time = this.frames.buildTime;
     const took = time > 0 ? `${Math.max(1, Math.round(time))} ms` : '';
     return [SURFACE[kind].name, mesh, took].filter(Boolean).join(' · ');

@@ -3,8 +3,8 @@
  * pencil (numbers, axis, the ring where a stroke starts on a part, the line that would close it). A canvas of its
  * own over the picture, so that ink never waits for the field.
  */
-import { curveOfStroke } from '../document/build.ts';
-import { type Brush, isBody, readingOf } from '../document/document.ts';
+import { curveOfStroke } from '../document/curves.ts';
+import { type Brush, isSurface, readingOf } from '../document/document.ts';
 import { place3, UNMOVED } from '../math/placement.ts';
 import type { Vec2 } from '../math/vec.ts';
 import { project, toWorld } from '../stroke/plane.ts';
@@ -69,7 +69,7 @@ function drawBand(context: CanvasRenderingContext2D, { from, to }: Band, { penci
 /** Where nothing can be shaded, what was kept is still seen: its strokes, in its colours. */
 function drawParts(context: CanvasRenderingContext2D, session: Session): void {
   for (const part of session.document.parts) {
-    if (part.hidden || isBody(part)) continue;
+    if (part.hidden || !isSurface(part)) continue;
     const { strokes, brush, placement } = part;
     for (const stroke of strokes) drawLine(context, dried(stroke, brush, session, placement), brush.colour);
   }

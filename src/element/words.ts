@@ -1,14 +1,14 @@
 /** All words of the interface: plain verbs, no exclamation marks. */
 
-import type { Part } from '../document/document.ts';
+import type { Part, Reading } from '../document/document.ts';
 import { PAGE } from '../field/polygonize.ts';
-import type { SurfaceKind } from '../surface/index.ts';
 
 /** What parts are called by what they are made of. */
 export const SURFACE: Readonly<Record<Part['kind'], { readonly name: string; readonly long: string }>> = {
   tube: { name: 'Tube', long: 'Tube' },
   rotational: { name: 'Rotational', long: 'Rotational surface' },
   body: { name: 'Body', long: 'Implicit body' },
+  solid: { name: 'Solid', long: 'Soft solid' },
 };
 
 const thousands = (count: number): string => String(count).replace(/\B(?=(\d{3})+$)/g, ',');
@@ -28,8 +28,8 @@ export const WORDS = {
   ],
   ready: 'Ready to draw',
   loading: 'Preparing the picture',
-  preview: (kind: SurfaceKind) => `${SURFACE[kind].long}, preview`,
-  kept: (kind: SurfaceKind, parts: number) => `${SURFACE[kind].long} added, part ${parts}`,
+  preview: (kind: Reading) => `${SURFACE[kind].long}, preview`,
+  kept: (kind: Reading, parts: number) => `${SURFACE[kind].long} added, part ${parts}`,
   dropped: 'Dropped. Undo brings it back',
   undone: (what: string) => `Undone: ${what}`,
   redone: (what: string) => `Redone: ${what}`,

@@ -81,7 +81,7 @@ export function meshesOf(document: Document, resolution = COARSE): readonly Mesh
   const kept = solids(document, resolution).map((solid: Solid) => solid.mesh);
   const kind = readingOf(document);
   const strokes = document.draft?.strokes ?? [];
-  if (kind === null) return kept;
+  if (kind === null || kind === 'solid') return kept;
   const forms = kind === 'tube' ? strokes.map((stroke) => [stroke]) : [strokes];
   const draft = forms.map((form) => buildForm(kind, form, document.brush, resolution));
   return [...kept, ...draft.filter((mesh) => mesh !== null)];

@@ -245,7 +245,7 @@ describe('what is wrong is said in one sentence', () => {
     const twins = { ...drawing.document, parts: [parts[0]!, parts[1]!, parts[0]!] };
     const refused = (document: Document) => refusal(serialize({ ...drawing, document }));
     expect(refused(twins).message).toBe(
-      'Pear.rotund, document.parts[2].id: expected an id that no other part has, found "part-1"',
+      'Pear.rotund, document.parts[2].id: expected an id that nothing else has, found "part-1"',
     );
     expect(refused({ ...drawing.document, nextId: 4 }).message).toBe(
       'Pear.rotund, document.nextId: expected a whole number above 7, which is in use, found 4',

@@ -41,11 +41,13 @@ export function silhouetteSkels(
   params: KernelParams,
   threshold: number,
   options: FitOptions = FITTING,
+  width: 'fitted' | 'given' = 'fitted',
 ): Silhouette {
   const largest = skeleton.nodes.reduce((most, { radius }) => Math.max(most, radius), 0);
   // a kernel with a support has to reach the outline from where the form is widest
   const least = kernel.support < Infinity ? REACHING * largest : 0;
-  const fitted = widthFor(kernel, params, Math.max(thinnest(skeleton) / SHARPER, least));
+  const fitted =
+    width === 'given' ? params : widthFor(kernel, params, Math.max(thinnest(skeleton) / SHARPER, least));
   const places = along(loops, roundOf(loops) / FITTED);
   return { ...fitWeights(skeleton, places, kernel, fitted, threshold, options), params: fitted };
 }
@@ -55,18 +57,43 @@ const DETAIL = [PRUNING.branch, 0.12, 0.07, 0.04] as const;
 /** of the longer side of the outline */
 const ENOUGH = 0.012;
 
+export interface SilhouetteOptions {
+  readonly width?: 'fitted' | 'given';
+  readonly quick?: boolean;
+}
+
+export function widthOf(
+  of: readonly Loop[] | MedialGraph,
+  kernel: Kernel,
+  params: KernelParams,
+): KernelParams | null {
+  const skeleton = 'nodes' in of ? of : skeletonOf(of);
+  if (skeleton.nodes.length === 0) return null;
+  const largest = skeleton.nodes.reduce((most, { radius }) => Math.max(most, radius), 0);
+  const least = kernel.support < Infinity ? REACHING * largest : 0;
+  return widthFor(kernel, params, Math.max(thinnest(skeleton) / SHARPER, least));
+}
+
+export function leastWidth(kernel: Kernel, all: readonly KernelParams[]): KernelParams {
+  const unit = (params: KernelParams) => kernel.unit(params, 1);
+  const sorted = [...all].sort((a, b) => unit(a) - unit(b));
+  return (kernel.support < Infinity ? sorted.at(-1) : sorted[0])!;
+}
+
 /** The coarsest skeleton whose surface follows the outline, or else the one that does so best. Loops do not cross. */
 export function silhouetteOf(
   loops: readonly Loop[],
   kernel: Kernel,
   params: KernelParams,
   threshold: number,
+  { width = 'fitted', quick = false }: SilhouetteOptions = {},
 ): Silhouette | null {
   let best: Silhouette | null = null;
   for (const branch of DETAIL) {
     const skeleton = skeletonOf(loops, { ...SKELETON, branch });
     if (skeleton.nodes.length === 0) return null;
-    const found = silhouetteSkels(skeleton, loops, kernel, params, threshold);
+    const found = silhouetteSkels(skeleton, loops, kernel, params, threshold, FITTING, width);
+    if (quick) return found;
     if (!best || found.most < 0.9 * best.most) best = found;
     if (found.most <= ENOUGH * sizeOf(loops)) break;
   }

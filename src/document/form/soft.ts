@@ -1,0 +1,44 @@
+/** A soft body: a surface that goes through the outline (docs/silhouettes.md). What crosses itself is the outline of what it goes round. */
+import { untangle } from '../../math/untangle.ts';
+import type { Vec2 } from '../../math/vec.ts';
+import type { MedialGraph } from '../../skeleton/medial/axis.ts';
+import { skeletonSkels } from '../../skeleton/medial/edited.ts';
+import type { Loop } from '../../skeleton/medial/outline.ts';
+import { silhouetteOf, widthOf } from '../../skeleton/medial/silhouette.ts';
+import type { Curve } from '../../stroke/curve.ts';
+import { type FormKind, type Ink, PLAIN } from './form.ts';
+
+/** places along a loop, beside its corners */
+const PLACES = 240;
+const ROUGH = 80;
+
+export const soft: FormKind = {
+  width(ink, kernel) {
+    const about: readonly Loop[] | MedialGraph = ink.skeleton ?? loopsOf(ink);
+    return widthOf(about, kernel, PLAIN);
+  },
+  make(ink, { kernel, params, threshold }) {
+    const { skeleton } = ink;
+    const options = { width: 'given', quick: ink.isRough } as const;
+    const found = skeleton
+      ? skeletonSkels(skeleton, kernel, params, threshold, options)
+      : silhouetteOf(loopsOf(ink), kernel, params, threshold, options);
+    if (!found) return null;
+    const { graph, skels, most, atBound, ratio } = found;
+    return { skeleton: skeleton ?? graph, skels, figures: { most, atBound, ratio } };
+  },
+};
+
+/** Simple ones. */
+export function loopsOf({ curves, isRough }: Ink): readonly Loop[] {
+  const [outer, ...holes] = curves.map((curve) => loopOf(curve, isRough ? ROUGH : PLACES));
+  return outer ? untangle(outer, holes) : [];
+}
+
+/** Its corners are among the places. */
+export function loopOf(curve: Curve, places: number): Loop {
+  const even = Array.from({ length: places }, (_, i) => i / places);
+  const near = 0.3 / places;
+  const between = even.filter((u) => curve.corners.every((corner) => Math.abs(u - corner) > near));
+  return [...between, ...curve.corners].sort((a, b) => a - b).map((u): Vec2 => curve.point(u));
+}

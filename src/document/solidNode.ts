@@ -1,0 +1,180 @@
+/**
+ * From the strokes of a solid to the tree of its field: a sum a component, and the union of those. All is cached by reference, and terms that
+ * are the same before and after a change are the same objects, so that of an edited body only what changed is made anew.
+ *
+ * All groups of a component share one width of the kernel (fields of several widths would be several sums): the least that any of them likes where kernels
+ * have no end, because far off all of those are the same power of the distance, and the largest where they have one, because they have to reach.
+ */
+import type { AnySkel } from '../field/expand.ts';
+import type { FieldNode, SkelsNode, Term } from '../field/node.ts';
+import type { Warp } from '../field/warp.ts';
+import { kernelNamed } from '../kernel/index.ts';
+import type { Kernel, KernelParams } from '../kernel/kernel.ts';
+import { cross3 } from '../math/tuple.ts';
+import { leastWidth } from '../skeleton/medial/silhouette.ts';
+import { FieldError } from '../skeleton/skeleton.ts';
+import type { Sample } from '../stroke/stroke.ts';
+import { curveOfStroke } from './curves.ts';
+import type { BodyPart, SolidPart } from './document.ts';
+import { forms, type Ink, type Shaped, type Sum } from './form/index.ts';
+import { linearRgb } from './paint.ts';
+import { onPlane } from './skelPlane.ts';
+import { type Component, DEFAULT_COMPONENT, type Group } from './solid.ts';
+
+const nodes = new WeakMap<readonly Component[], FieldNode>();
+
+/** What the surface of a part is made from. */
+export function nodeOf(part: BodyPart | SolidPart): FieldNode {
+  if (part.kind === 'body') return part.node;
+  const known = nodes.get(part.components);
+  if (known) return known;
+  const sums = part.components.map(sumNode);
+  // a component that only carves has no surface, and would be nothing in a union
+  const node: FieldNode = sums.length === 1 ? sums[0]! : { type: 'union', form: 'hard', parts: sums };
+  const found = sums.length > 0 ? node : NOTHING;
+  nodes.set(part.components, found);
+  return found;
+}
+
+const NOTHING: FieldNode = { type: 'skels', ...DEFAULT_COMPONENT, params: {}, skels: [] };
+
+const sums = new WeakMap<Component, SkelsNode>();
+
+function sumNode(component: Component): SkelsNode {
+  const known = sums.get(component);
+  if (known) return known;
+  const { kernel, threshold } = component;
+  const sum = sumOf(component);
+  const skels = sum
+    ? component.groups.filter(({ hidden }) => !hidden).flatMap((group) => termsOf(group, sum))
+    : [];
+  const node: SkelsNode = { type: 'skels', kernel, params: sum?.params ?? {}, threshold, skels };
+  sums.set(component, node);
+  return node;
+}
+
+/** Kernel and width that the groups of a component share; null where nothing can be made of any. */
+export function sumOf({ kernel: name, threshold, groups }: Component): Sum | null {
+  const kernel = kernelNamed(name);
+  if (!kernel) return null;
+  const widths = groups.filter(({ hidden }) => !hidden).flatMap((group) => widthOfGroup(group, kernel) ?? []);
+  return widths.length > 0 ? { kernel, params: leastWidth(kernel, widths), threshold } : null;
+}
+
+function widthOfGroup(group: Group, kernel: Kernel): KernelParams | null {
+  const ink = inkOf(group);
+  if (!ink) return null;
+  const kept = keptOf(group);
+  const key = keyOf(group, kernel.name);
+  const known = kept.widths.find((width) => width.key === key);
+  if (known) return known.params;
+  const params = tried(() => forms[group.form].width(ink, kernel));
+  kept.widths = [{ key, params }, ...kept.widths].slice(0, KEPT);
+  return params;
+}
+
+const terms = new WeakMap<Group, { readonly shaped: Shaped; readonly terms: readonly Term[] }>();
+
+function termsOf(group: Group, sum: Sum): readonly Term[] {
+  const shaped = shapedOf(group, sum);
+  if (!shaped) return [];
+  const known = terms.get(group);
+  if (known?.shaped === shaped) return known.terms;
+  const { plane } = group.strokes[0]!;
+  const warp = warpOf(group);
+  const { weight } = group.shape;
+  const made = shaped.skels.map(
+    (skel: AnySkel): Term => ({
+      skel: onPlane(skel, plane),
+      ...(weight !== 1 && { factor: weight }),
+      ...(warp && { warp }),
+      colour: linearRgb(group.brush.colour),
+    }),
+  );
+  terms.set(group, { shaped, terms: made });
+  return made;
+}
+
+/** Off the plane is the section's y; extrusions are as thick as the brush. */
+function warpOf({ shape, brush, strokes }: Group): Warp | null {
+  const { breadth, depth, section, exponent } = shape;
+  if (section === 'round' && breadth === 1 && depth === 1) return null;
+  const { x, y } = strokes[0]!.plane;
+  return {
+    section: section === 'round' ? { type: 'round' } : { type: section, exponent },
+    scale: [breadth, section === 'extrusion' ? depth * brush.radius : depth],
+    up: cross3(x, y),
+    along: x,
+  };
+}
+
+interface Kept {
+  widths: readonly { readonly key: string; readonly params: KernelParams | null }[];
+  shaped: readonly { readonly key: string; readonly shaped: Shaped | null }[];
+}
+
+/** by the samples of the first stroke, which stay when a group is moved, named or coloured */
+const kept = new WeakMap<readonly Sample[], Kept>();
+/** sliders go back and forth, and copies share their strokes */
+const KEPT = 6;
+
+function keptOf({ strokes }: Group): Kept {
+  const { samples } = strokes[0]!;
+  const known = kept.get(samples) ?? { widths: [], shaped: [] };
+  kept.set(samples, known);
+  return known;
+}
+
+const numbers = new WeakMap<object, number>();
+let latest = 0;
+
+function numberOf(object: object): number {
+  const known = numbers.get(object) ?? ++latest;
+  numbers.set(object, known);
+  return known;
+}
+
+/** All that skels on the plane depend on beside the sum. */
+function keyOf(group: Group, rest: string): string {
+  const { form, strokes, brush, shape, skeleton, isRough } = group;
+  const { radius, pressure, filter, levels } = brush;
+  const { profile, density, knots } = shape;
+  const ink = strokes.map(({ samples, view }) => [numberOf(samples), view.height]);
+  const own = [form, ink, radius, pressure, filter, levels, profile, density, knots, isRough ?? false];
+  return JSON.stringify([...own, skeleton && numberOf(skeleton), rest]);
+}
+
+/** Skeleton and skels of a group on its plane; null: nothing can be made of it. */
+export function shapedOf(group: Group, sum: Sum): Shaped | null {
+  const ink = inkOf(group);
+  if (!ink) return null;
+  const kept = keptOf(group);
+  const key = keyOf(group, JSON.stringify([sum.kernel.name, sum.params, sum.threshold]));
+  const known = kept.shaped.find((shaped) => shaped.key === key);
+  if (known) return known.shaped;
+  const shaped = tried(() => forms[group.form].make(ink, sum));
+  kept.shaped = [{ key, shaped }, ...kept.shaped].slice(0, KEPT);
+  return shaped;
+}
+
+function inkOf(group: Group): Ink | null {
+  const { strokes, brush, shape, skeleton, isRough = false } = group;
+  const curves = strokes.map((stroke) => curveOfStroke(stroke, brush)).filter((curve) => curve !== null);
+  return curves.length > 0 ? { curves, brush, shape, skeleton, isRough } : null;
+}
+
+/** Kernels do not do everything: what they cannot is nothing. */
+function tried<T>(make: () => T | null): T | null {
+  try {
+    return make();
+  } catch (error) {
+    if (!(error instanceof FieldError)) throw error;
+    return null;
+  }
+}
+
+/** Whether there is anything of it. */
+export function isEmpty(group: Group, of: Component): boolean {
+  const sum = sumOf(of);
+  return !sum || shapedOf(group, sum) === null;
+}
