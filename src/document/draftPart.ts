@@ -31,16 +31,16 @@ export function draftPart(document: Document): SolidPart | null {
   return part;
 }
 
-/** Ids are those that it gets when it is kept. */
+/** Ids are those that it gets when it is kept, names count what is there. */
 export function draftGroup(document: Document): Group | null {
   const { draft, brush, nextId } = document;
   if (!draft || readingOf(document) !== 'solid') return null;
-  const into = joinedOf(document)?.placement ?? UNMOVED;
-  const back = unplaced(into);
+  const joined = joinedOf(document);
+  const back = unplaced(joined?.placement ?? UNMOVED);
   const form = formOf(document);
   return {
-    id: `group-${nextId}`,
-    name: `${WORD[form]} ${nextId}`,
+    id: `group-${nextId + 2}`,
+    name: `${WORD[form]} ${1 + (joined ? groupsOf(joined).length : 0)}`,
     hidden: false,
     form,
     strokes: draft.strokes.map((stroke) => placedStroke(stroke, back)),
@@ -56,13 +56,13 @@ function solidWith(document: Document, group: Group): SolidPart {
   const joined = joinedOf(document);
   const component: Component = {
     id: `component-${nextId + 1}`,
-    name: `${WORD.component} ${nextId + 1}`,
+    name: `${WORD.component} ${1 + (joined?.components.length ?? 0)}`,
     ...DEFAULT_COMPONENT,
     groups: [group],
   };
   if (!joined) {
-    const name = `${WORD.solid} ${nextId + 2}`;
-    const id = `part-${nextId + 2}`;
+    const name = `${WORD.solid} ${1 + document.parts.filter(isSolid).length}`;
+    const id = `part-${nextId}`;
     return { id, name, kind: 'solid', components: [component], placement: UNMOVED, hidden: false };
   }
   const into = joined.components.find(({ id }) => id === draft?.joins?.component);
