@@ -4,7 +4,15 @@ import { UNMOVED, unplaced } from '../math/placement.ts';
 import type { Document, SolidPart } from './document.ts';
 import { isSolid, readingOf } from './document.ts';
 import { placedStroke } from './placedStroke.ts';
-import { type Component, DEFAULT_COMPONENT, DEFAULT_SHAPE, type Form, type Group, isForm } from './solid.ts';
+import {
+  type Component,
+  DEFAULT_COMPONENT,
+  DEFAULT_SHAPE,
+  type Form,
+  type Group,
+  groupsOf,
+  isForm,
+} from './solid.ts';
 import { isEmpty } from './solidNode.ts';
 import { WORD } from './words.ts';
 
