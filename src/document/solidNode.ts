@@ -12,6 +12,7 @@ import { kernelNamed } from '../kernel/index.ts';
 import type { Kernel, KernelParams } from '../kernel/kernel.ts';
 import { cross3 } from '../math/tuple.ts';
 import { leastWidth } from '../skeleton/medial/silhouette.ts';
+import { hasRadii, weighted } from '../skeleton/radii.ts';
 import { FieldError } from '../skeleton/skeleton.ts';
 import type { Sample } from '../stroke/stroke.ts';
 import { curveOfStroke } from './curves.ts';
@@ -38,6 +39,8 @@ export function nodeOf(part: BodyPart | SolidPart): FieldNode {
 
 const NOTHING: FieldNode = { type: 'skels', ...DEFAULT_COMPONENT, params: {}, skels: [] };
 
+const FITTED = DEFAULT_COMPONENT.threshold;
+
 const sums = new WeakMap<Component, SkelsNode>();
 
 function sumNode(component: Component): SkelsNode {
@@ -54,11 +57,12 @@ function sumNode(component: Component): SkelsNode {
 }
 
 /** Kernel and width that the groups of a component share; null where nothing can be made of any. */
-export function sumOf({ kernel: name, threshold, groups }: Component): Sum | null {
+export function sumOf({ kernel: name, groups }: Component): Sum | null {
   const kernel = kernelNamed(name);
   if (!kernel) return null;
   const widths = groups.filter(({ hidden }) => !hidden).flatMap((group) => widthOfGroup(group, kernel) ?? []);
-  return widths.length > 0 ? { kernel, params: leastWidth(kernel, widths), threshold } : null;
+  // Weights are made for the usual threshold: what a person sets then makes all of it thinner or thicker.
+  return widths.length > 0 ? { kernel, params: leastWidth(kernel, widths), threshold: FITTED } : null;
 }
 
 function widthOfGroup(group: Group, kernel: Kernel): KernelParams | null {
@@ -85,7 +89,7 @@ function termsOf(group: Group, sum: Sum): readonly Term[] {
   const { weight } = group.shape;
   const made = shaped.skels.map(
     (skel: AnySkel): Term => ({
-      skel: onPlane(skel, plane),
+      skel: onPlane(hasRadii(skel) ? weighted(skel, sum.kernel, sum.params, FITTED) : skel, plane),
       ...(weight !== 1 && { factor: weight }),
       ...(warp && { warp }),
       colour: linearRgb(group.brush.colour),
