@@ -355,7 +355,7 @@ export class RotundSketch extends SketchApi {
     this.drawInk();
     const { view, state, frames } = this.session;
     this.declared.sayReady();
-    const key = JSON.stringify([view, state.carried?.by, frames.triangles]);
+    const key = JSON.stringify([view, state.carried, frames.triangles]);
     if (key === this.#viewKey) return;
     this.#viewKey = key;
     this.requestUpdate();
