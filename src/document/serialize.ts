@@ -3,6 +3,8 @@
  * trusted. A script is carried out command by command, so that a command that does not fit is named. The format is
  * described in `docs/format.md`.
  */
+import type { FieldNode } from '../field/node.ts';
+import { partsOf } from '../field/numbered.ts';
 import { applyChecked, checked } from './check.ts';
 import { apply, type Command } from './command/index.ts';
 import { type Document, EMPTY_DOCUMENT, isBody, isSolid } from './document.ts';
@@ -125,8 +127,14 @@ export function serializeScript(commands: readonly Command[], drawing: Drawing):
 /** The lowest that holds what there is. */
 function versionOf({ parts, draft }: Pick<Document, 'parts' | 'draft'>): Version {
   if (parts.some(isSolid) || draft?.form || draft?.joins || draft?.carves) return 4;
-  return parts.some(isBody) ? 2 : 1;
+  const bodies = parts.filter(isBody);
+  if (bodies.some(({ node }) => hasWidths(node))) return 4;
+  return bodies.length > 0 ? 2 : 1;
 }
+
+/** Terms with a width of the kernel of their own came with solids. */
+const hasWidths = (node: FieldNode): boolean =>
+  node.type === 'skels' ? node.skels.some(({ params }) => params) : partsOf(node).some(hasWidths);
 
 /** Commands that came with solids, or say what only solids know. */
 const LATE: readonly Command['type'][] = [
@@ -144,7 +152,8 @@ function versionOfCommand(command: Command): Version {
   if (command.type === 'load') return versionOf(command.document);
   if (LATE.includes(command.type)) return 4;
   if (command.type === 'addStroke') return command.form || command.joins || command.carves ? 4 : 1;
-  return command.type === 'addBody' || command.type === 'setBody' ? 2 : 1;
+  if (command.type !== 'addBody' && command.type !== 'setBody') return 1;
+  return hasWidths(command.node) ? 4 : 2;
 }
 
 function head(format: string, needed: Version, { name, view, look }: Drawing) {
