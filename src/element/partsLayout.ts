@@ -15,6 +15,8 @@ export const partsLayout = css`
   .gizmo .shaft { stroke: currentColor; stroke-width: 3; }
   .gizmo .shaft.surface { stroke: var(--edge); stroke-width: 2; stroke-dasharray: 1 6; }
   .gizmo .halo:has(+ .surface) { stroke: none; }
+  .gizmo .ring-halo { fill: none; stroke: var(--surface); stroke-width: 5; }
+  .gizmo .ring { fill: none; stroke: var(--edge); stroke-width: 1.75; }
   .gizmo .x { color: var(--axis-x); }
   .gizmo .y { color: var(--axis-y); }
   .gizmo .z { color: var(--axis-z); }
@@ -25,7 +27,7 @@ export const partsLayout = css`
   .handle:is(.x, .y, .z) > span { -webkit-text-fill-color: var(--surface); }
   .handle.view { border-radius: 0.875rem; }
   .handle.view > span { width: 2.875rem; height: 2.875rem; border-radius: 0.875rem; background: var(--axis-view); color: var(--on-axis-view); }
-  .handle.surface > span { width: 2.75rem; height: 2.75rem; background: var(--surface); color: var(--ink); border: 2px solid var(--edge); }
+  .handle:is(.surface, .turn, .scale) > span { width: 2.75rem; height: 2.75rem; background: var(--surface); color: var(--ink); border: 2px solid var(--edge); }
   .handle:hover > span { filter: brightness(1.08); }
 
   /* actions */
@@ -44,6 +46,15 @@ export const partsLayout = css`
   .part:hover { background: var(--sunken); }
   .part-list:focus-visible { outline: none; }
   .part-list:focus-visible .active { outline: 3px solid var(--pencil); outline-offset: -3px; }
+  .part .what.indented { padding-left: calc(1.25rem * var(--level) + 1.5rem); position: relative; }
+  .part .twist { position: absolute; left: calc(1.25rem * var(--level) - 0.625rem); top: 50%; width: 2.75rem; height: 2.75rem; margin-top: -1.375rem; display: grid; place-items: center; border-radius: 0.75rem; }
+  .part-list.dragging { cursor: grabbing; }
+  .part-list.dragging .part { cursor: inherit; }
+  .part[data-drop='on'] { box-shadow: inset 0 0 0 2px var(--pencil); background: var(--pencil-soft); }
+  .part[data-drop='before'] { box-shadow: inset 0 3px 0 -1px var(--pencil); }
+  .part[data-drop='after'] { box-shadow: inset 0 -3px 0 -1px var(--pencil); }
+  .drag-tag, .value-tag { position: absolute; pointer-events: none; white-space: nowrap; padding: 0.25rem 0.625rem; border-radius: 1rem; background: var(--active); color: var(--on-active); font: 600 0.8125rem/1.125rem var(--font); box-shadow: var(--e2); z-index: 1; }
+  .value-tag { transform: translate(1.75rem, -50%); font-variant-numeric: tabular-nums; }
   .part .what { flex: 1; min-width: 0; display: flex; align-items: center; gap: 0.625rem; }
   .part .what > span { min-width: 0; }
   .part b, .part small { display: block; overflow: hidden; text-overflow: ellipsis; white-space: nowrap; }
