@@ -1,7 +1,7 @@
 /** What a list of ids names in a document: whole parts, and within solids that are not chosen as a whole their components and groups. */
 import { type Document, isSolid, type Part, type SolidPart } from './document.ts';
 import type { Component, Group } from './solid.ts';
-import { shapedOf, sumOf } from './solidNode.ts';
+import { shapedOf } from './solidNode.ts';
 
 /** A group and what it is in. */
 export interface GroupAt {
@@ -35,11 +35,10 @@ const isIn = ({ group, component, solid }: GroupAt, ids: ReadonlySet<string>): b
 export function groupAt(solid: SolidPart, path: string): Group | null {
   const [, of = '0', skel] = /^(?:parts\[(\d+)\]\.)?skels\[(\d+)\]$/.exec(path) ?? [];
   const component = solid.components[Number(of)];
-  const sum = component && sumOf(component);
-  if (!sum || skel === undefined) return null;
+  if (!component || skel === undefined) return null;
   let left = Number(skel);
   for (const group of component.groups.filter(({ hidden }) => !hidden)) {
-    left -= shapedOf(group, sum)?.skels.length ?? 0;
+    left -= shapedOf(group, component)?.skels.length ?? 0;
     if (left < 0) return group;
   }
   return null;

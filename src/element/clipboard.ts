@@ -44,10 +44,19 @@ export function partsIn(text: string): readonly Part[] | null {
   return command.type === 'paste' ? command.parts : null;
 }
 
-/** Answers the browser's copy and cut; nothing selected, nothing copied. */
-export function copy(event: ClipboardEvent, session: Session): void {
+/** Answers the browser's events; text fields have a clipboard of their own. */
+export function clipboard(event: ClipboardEvent, session: Session): void {
+  if (isTyping(event)) return;
+  if (event.type === 'paste') {
+    event.preventDefault();
+    pasteText(session, event.clipboardData?.getData('text/plain') || kept);
+  } else copy(event, session);
+}
+
+/** Nothing selected, nothing copied. */
+function copy(event: ClipboardEvent, session: Session): void {
   const { selection, document } = session;
-  if (selection.length === 0 || isTyping(event)) return;
+  if (selection.length === 0) return;
   kept = textOf(document, selection);
   event.clipboardData?.setData('text/plain', kept);
   event.preventDefault();
@@ -56,27 +65,26 @@ export function copy(event: ClipboardEvent, session: Session): void {
   say(session, event.type === 'cut' ? SOLID_WORDS.cut(name) : SOLID_WORDS.copied(name));
 }
 
-export function paste(event: ClipboardEvent, session: Session): void {
-  if (isTyping(event)) return;
-  event.preventDefault();
-  pasteText(session, event.clipboardData?.getData('text/plain') || kept);
-}
-
 /** Beside where it was, so that it is seen. */
-export function pasteText(session: Session, text: string): void {
+function pasteText(session: Session, text: string): void {
   try {
     const parts = partsIn(text);
-    if (!parts || parts.length === 0) return say(session, SOLID_WORDS.noPaste);
-    const before = session.document;
-    session.run({ type: 'paste', parts, offset: besideOf(session) });
-    const fresh = session.document.parts.filter((part) => !before.parts.includes(part)).map(({ id }) => id);
-    if (session.tool !== 'select') session.setTool('select');
-    session.select(fresh);
-    say(session, SOLID_WORDS.pasted(nameOf(session.document, fresh)));
+    if (parts && parts.length > 0) put(session, parts);
+    else say(session, SOLID_WORDS.noPaste);
   } catch (error) {
     if (!(error instanceof FileError)) throw error;
     say(session, SOLID_WORDS.noPaste);
   }
+}
+
+function put(session: Session, parts: readonly Part[]): void {
+  const before = new Set(session.document.parts);
+  session.run({ type: 'paste', parts, offset: besideOf(session) });
+  const fresh = session.document.parts.filter((part) => !before.has(part)).map(({ id }) => id);
+  if (fresh.length === 0) return;
+  if (session.tool !== 'select') session.setTool('select');
+  session.select(fresh);
+  say(session, SOLID_WORDS.pasted(nameOf(session.document, fresh)));
 }
 
 function say(session: Session, words: string): void {
@@ -84,7 +92,6 @@ function say(session: Session, words: string): void {
   session.update();
 }
 
-/** Text fields have a clipboard of their own. */
 const isTyping = (event: Event): boolean => {
   const [origin] = event.composedPath();
   return origin instanceof Element && origin.matches('input[type=text], textarea, [contenteditable]');

@@ -151,13 +151,13 @@ export function dragRow(
   for (const type of ['pointercancel', 'lostpointercapture']) own(type, () => end(null));
   list.addEventListener('touchmove', (e) => drag && e.preventDefault(), { signal, passive: false });
   list.addEventListener('contextmenu', (e) => e.preventDefault(), { signal });
-  const escape = (e: KeyboardEvent) => {
+  const quit = (e: KeyboardEvent) => {
     if (!drag || e.key !== 'Escape') return;
     e.preventDefault();
     e.stopPropagation();
     end(null);
   };
-  window.addEventListener('keydown', escape, { signal, capture: true });
+  window.addEventListener('keydown', quit, { signal, capture: true });
   const other = (e: PointerEvent) => e.pointerId !== pointerId && end(null);
   window.addEventListener('pointerdown', other, { signal, capture: true });
   // let go where the list does not hear of it

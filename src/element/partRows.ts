@@ -2,7 +2,7 @@
 import { groupsChosen } from '../document/chosen.ts';
 import { type Document, isSolid, type Part, type SolidPart } from '../document/document.ts';
 import { type Component, type Group, groupsOf } from '../document/solid.ts';
-import { shapedOf, sumOf } from '../document/solidNode.ts';
+import { shapedOf } from '../document/solidNode.ts';
 import type { IconName } from './icons.ts';
 import { madeOf } from './partCard.ts';
 import { PART_WORDS, SOLID_WORDS, SURFACE } from './words.ts';
@@ -62,7 +62,7 @@ function componentRows(
   const own: Row = {
     id,
     name,
-    icon: groups.length > 1 ? 'component' : groups[0]!.form,
+    icon: groups.length > 1 ? 'component' : iconOf(groups[0]!),
     hidden: groups.every(({ hidden }) => hidden),
     part,
     component,
@@ -75,11 +75,14 @@ function componentRows(
   return isOpen ? [own, ...groupRows(part, component, 3, id)] : [own];
 }
 
+export const iconOf = ({ form, shape }: Pick<Group, 'form'> & Partial<Group>): IconName =>
+  (shape?.weight ?? 1) < 0 ? 'carve' : form === 'soft' ? 'solid' : form;
+
 const groupRows = (part: SolidPart, component: Component, level: number, parent: string): readonly Row[] =>
   component.groups.map((group, i) => ({
     id: group.id,
     name: group.name,
-    icon: group.shape.weight < 0 ? 'carve' : group.form,
+    icon: iconOf(group),
     hidden: group.hidden,
     part,
     component,
@@ -101,8 +104,7 @@ export function factsOf({ part, component, group }: Row): string[] {
 
 export function factsOfGroup(group: Group, component: Component): string[] {
   const { form, brush, shape, skeleton } = group;
-  const sum = sumOf(component);
-  const skels = form === 'soft' ? ((sum && shapedOf(group, sum)?.skels.length) ?? 0) : 0;
+  const skels = form === 'soft' ? (shapedOf(group, component)?.skels.length ?? 0) : 0;
   return [
     SOLID_WORDS.form[form],
     form === 'soft' ? PART_WORDS.skels(skels) : `${Math.round(10 * brush.radius) / 10} mm`,
