@@ -14,7 +14,6 @@ import more from 'lucide-static/icons/ellipsis.svg?raw';
 import eye from 'lucide-static/icons/eye.svg?raw';
 import eyeOff from 'lucide-static/icons/eye-off.svg?raw';
 import fresh from 'lucide-static/icons/file-plus.svg?raw';
-import mirror from 'lucide-static/icons/flip-horizontal-2.svg?raw';
 import focus from 'lucide-static/icons/focus.svg?raw';
 import open from 'lucide-static/icons/folder.svg?raw';
 import history from 'lucide-static/icons/history.svg?raw';
@@ -45,8 +44,9 @@ const inside = (text: string) => text.replace(/^[\s\S]*?<svg[^>]*>|<\/svg>\s*$/g
 
 const OURS = {
   component: '<circle cx="9.300" cy="10" r="4.300"/><circle cx="14.700" cy="14" r="4.300"/>',
+  mirror: '<path d="M12 20v2M12 14v2M12 8v2M12 2v2"/><path d="M9 7L3 17h6z"/><path d="M15 7l6 10h-6z"/>',
   mirrorCopy:
-    '<path d="M12 20v2M12 14v2M12 8v2M12 2v2"/><path d="M9 7L3 17h6z"/><path d="M15 7l6 10h-6z" fill="currentColor"/>',
+    '<path d="M12 20v2M12 14v2M12 8v2M12 2v2"/><path d="M9 7L3 17h6z"/><path d="M15 7l6 10h-6z" style="fill:currentColor"/>',
   attach:
     '<circle cx="8" cy="14" r="4.800"/><circle cx="16.800" cy="7.800" r="3.300"/><path d="M11.800 11.200l2.200-1.500"/>',
   tube: '<path d="M4 20.2a3 3 0 0 1-.9-5.2C8.4 10 11 15.300 15.900 6.300"/><path d="M21 9c-5.900 10.400-10.600 5.600-15.700 10.700"/><ellipse cx="18.450" cy="7.650" rx="2.900" ry="1.700" transform="rotate(28 18.450 7.650)"/>',
@@ -74,7 +74,6 @@ const LUCIDE = {
   duplicate,
   turn,
   scale,
-  mirror,
   next,
   eye,
   eyeOff,

@@ -3,6 +3,7 @@ import { groupsChosen } from '../document/chosen.ts';
 import { type Document, isSolid, type Part, type SolidPart } from '../document/document.ts';
 import { type Component, type Group, groupsOf } from '../document/solid.ts';
 import { shapedOf } from '../document/solidNode.ts';
+import { kernelNamed } from '../kernel/index.ts';
 import type { IconName } from './icons.ts';
 import { madeOf } from './partCard.ts';
 import { PART_WORDS, SOLID_WORDS, SURFACE } from './words.ts';
@@ -97,7 +98,11 @@ const groupRows = (part: SolidPart, component: Component, level: number, parent:
 /** "Soft · 12 skels", "Ring · 6 mm", "3 forms · 60 skels" */
 export function factsOf({ part, component, group }: Row): string[] {
   if (group) return factsOfGroup(group, component!);
-  if (component) return [SOLID_WORDS.component(component.groups.length), component.kernel];
+  if (component)
+    return [
+      SOLID_WORDS.component(component.groups.length),
+      kernelNamed(component.kernel)?.label ?? component.kernel,
+    ];
   if (!isSolid(part)) return [SURFACE[part.kind].name, madeOf(part)];
   return [SOLID_WORDS.inside(part.components.length, groupsOf(part).length), madeOf(part)];
 }

@@ -41,7 +41,7 @@ export const partsLayout = css`
 
   /* list and card */
   .panel.parts { display: flex; flex-direction: column; }
-  .part-list { overflow-y: auto; overscroll-behavior: contain; flex: none; max-height: max(9.75rem, 100cqh - 41rem); }
+  .part-list { overflow-y: auto; overscroll-behavior: contain; flex: none; max-height: max(9.75rem, 42cqh); }
   .part { display: flex; align-items: center; height: 3rem; border-radius: 0.75rem; padding-left: 0.5rem; cursor: pointer; }
   .part:hover { background: var(--sunken); }
   .part-list:focus-visible { outline: none; }
@@ -72,7 +72,8 @@ export const partsLayout = css`
   .name-field { display: flex; align-items: center; gap: 0.75rem; padding: 0 0.5rem; font: 600 0.8125rem/1.125rem var(--font); color: var(--ink-2); }
   .name-field input { flex: 1; min-width: 0; height: 2.75rem; padding: 0 0.75rem; border: 1.5px solid var(--edge); border-radius: 0.75rem; background: var(--surface); color: var(--ink); font: 600 0.9375rem/1.3125rem var(--font); user-select: text; -webkit-user-select: text; }
   .choice { min-width: 0; max-width: 11rem; height: 2.75rem; padding: 0 0.5rem; border: 1.5px solid var(--edge); border-radius: 0.75rem; background: var(--surface); color: var(--ink); font: 600 0.875rem/1.25rem var(--font); text-overflow: ellipsis; }
-  .panel label.row > span { font: 600 0.8125rem/1.125rem var(--font); color: var(--ink-2); }
+  .panel label.row:has(.choice) { margin-top: 0.5rem; }
+  .panel label.row:has(.choice) > span { font: 600 0.8125rem/1.125rem var(--font); color: var(--ink-2); }
   .segment.forms button { display: flex; flex-direction: column; align-items: center; justify-content: center; gap: 0.125rem; min-height: 3.25rem; font-size: 0.75rem; line-height: 1rem; }
 
   .chip { width: max-content; }
