@@ -3,6 +3,8 @@
  * trusted. A script is carried out command by command, so that a command that does not fit is named. The format is
  * described in `docs/format.md`.
  */
+import type { FieldNode } from '../field/node.ts';
+import { partsOf } from '../field/numbered.ts';
 import { applyChecked, checked } from './check.ts';
 import { apply, type Command } from './command/index.ts';
 import { type Document, EMPTY_DOCUMENT, isBody, isSolid, readingOf } from './document.ts';
@@ -131,8 +133,14 @@ const versionOf = (document: Document): Version =>
 /** The lowest that knows the fields there are. Earlier ones read closed strokes otherwise (earlier.ts). */
 function neededFor({ parts, draft }: Document): Version {
   if (parts.some(isSolid) || draft?.form || draft?.joins || draft?.carves) return SOLIDS;
-  return parts.some(isBody) ? 2 : 1;
+  const bodies = parts.filter(isBody);
+  if (bodies.some(({ node }) => hasWidths(node))) return SOLIDS;
+  return bodies.length > 0 ? 2 : 1;
 }
+
+/** Terms with a width of the kernel of their own came with solids. */
+const hasWidths = (node: FieldNode): boolean =>
+  node.type === 'skels' ? node.skels.some(({ params }) => params) : partsOf(node).some(hasWidths);
 
 /** Commands that came with solids, or say what only solids know. */
 const LATE: readonly Command['type'][] = [
@@ -156,7 +164,8 @@ function neededBy(command: Command): Version {
   if (command.type === 'load') return neededFor(command.document);
   if (LATE.includes(command.type)) return SOLIDS;
   if (command.type === 'addStroke') return command.form || command.joins || command.carves ? SOLIDS : 1;
-  return command.type === 'addBody' || command.type === 'setBody' ? 2 : 1;
+  if (command.type !== 'addBody' && command.type !== 'setBody') return 1;
+  return hasWidths(command.node) ? SOLIDS : 2;
 }
 
 function head(format: string, needed: Version, { name, view, look }: Drawing) {
