@@ -6,6 +6,8 @@
 import { bodyMade } from '../document/bodies.ts';
 import { draftIsWhole, RESOLUTION } from '../document/build.ts';
 import { cellsOfBodies } from '../document/cells.ts';
+import { partsWith } from '../document/chosen.ts';
+import { itemsOf } from '../document/command/changeParts.ts';
 import type { Command } from '../document/command/index.ts';
 import { type Brush, type Document, EMPTY_DOCUMENT, isImplicit, readingOf } from '../document/document.ts';
 import { type Drawing, FRONT_VIEW } from '../document/drawing.ts';
@@ -46,7 +48,7 @@ import type { NoPicture } from './noPicture.ts';
 import type { Picked } from './picked.ts';
 import { Rays } from './rays.ts';
 import { spoken } from './speech.ts';
-import { SURFACE, WORDS } from './words.ts';
+import { SOLID_WORDS, SURFACE, WORDS } from './words.ts';
 
 export interface Notice {
   readonly text: string;
@@ -281,23 +283,38 @@ export class Session implements Bench, Viewport {
 
   // ── selection and tools ─────────────────────────────────────────────────────────────────────────────
 
-  /** Ids that no part has are left out. */
+  /** Of parts, and of what solids are made of; ids that nothing has are left out. */
   select(ids: readonly string[]): void {
-    const known = this.document.parts.map(({ id }) => id).filter((id) => ids.includes(id));
+    const wanted = new Set(ids);
+    const known =
+      ids.length === 0
+        ? []
+        : itemsOf(this.document)
+            .map(({ id }) => id)
+            .filter((id) => wanted.has(id));
     const same = known.length === this.selection.length && known.every((id, i) => id === this.selection[i]);
     if (same) return;
     this.selection = known;
     this.frames.version++;
-    this.scene?.select(known);
+    this.#contour();
     this.update();
     this.#hooks.selected(known);
   }
 
+  /** Of a group the part is seen that it is in. */
+  #contour(): void {
+    this.scene?.select(partsWith(this.document, this.selection).map(({ id }) => id));
+  }
+
   /** Words for a selection a person made. */
   saySelection(): void {
-    const { parts } = this.document;
-    const names = parts.filter(({ id }) => this.selection.includes(id)).map(({ name }) => name);
-    this.said = WORDS.selected(names, parts.length);
+    const chosen = itemsOf(this.document).filter(({ id }) => this.selection.includes(id));
+    const names = chosen.map(({ name }) => name);
+    const [only] = partsWith(this.document, this.selection);
+    const isPart = names.length !== 1 || only?.id === this.selection[0];
+    this.said = isPart
+      ? WORDS.selected(names, this.document.parts.length)
+      : SOLID_WORDS.selectedIn(names[0]!, only!.name);
     this.update();
   }
 
@@ -523,7 +540,7 @@ export class Session implements Bench, Viewport {
     this.frames.version++;
     scene.rig.setView(this.#lastView, false);
     scene.setLook(this.look);
-    scene.select(this.selection);
+    this.#contour();
     this.update();
   }
 
