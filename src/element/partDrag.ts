@@ -80,7 +80,7 @@ export function dragRow(
   session: Session,
   rowsShown: (session: Session) => readonly Row[],
   open: (session: Session, id: string) => void,
-  activate: (id: string) => void,
+  activate: (list: HTMLElement, id: string) => void,
 ): void {
   const list = event.currentTarget as HTMLElement;
   const target = event.target as Element;
@@ -99,7 +99,7 @@ export function dragRow(
   const begin = () => {
     list.setPointerCapture(pointerId);
     list.classList.add('dragging');
-    activate(row.id);
+    activate(list, row.id);
     drag = { ids, drop: null, opening: null, tag: tagIn(list) };
     aim(clientX, clientY);
   };

@@ -58,7 +58,7 @@ export function partList(session: Session): TemplateResult {
   return html`<div class="part-list" role="treegrid" tabindex="0" aria-label=${PART_WORDS.list} aria-multiselectable="true"
     aria-rowcount=${rowsShown(session).length} ${ref(paint)}
     @scroll=${(event: Event) => paint(event.currentTarget as Element)}
-    @pointerdown=${(event: PointerEvent) => dragRow(event, session, rowsShown, toggleOpen, (id) => activateIn(event, session, id))}
+    @pointerdown=${(event: PointerEvent) => dragRow(event, session, rowsShown, toggleOpen, (on, id) => activate(on, session, id))}
     @click=${(event: MouseEvent) => click(event, session)} @keydown=${(event: KeyboardEvent) => press(event, session)}></div>`;
 }
 
@@ -202,10 +202,6 @@ function choose(session: Session, ids: readonly string[]): void {
   if (session.tool !== 'select') session.setTool('select');
   session.select(ids);
   session.saySelection();
-}
-
-function activateIn(event: Event, session: Session, id: string): void {
-  activate(event.currentTarget as HTMLElement, session, id);
 }
 
 function activate(list: HTMLElement, session: Session, id: string | null): void {
