@@ -8,6 +8,8 @@ export interface Hit {
   readonly normal: Vec3;
   /** of the part or of the unfinished form */
   readonly id: string;
+  /** of a body: which of its skels is there, by its `path` in the tree */
+  readonly skel?: { readonly path: string } | null;
 }
 
 /** How a tool sees the picture. Positions are CSS pixels from the upper left of the canvas, y down. */
