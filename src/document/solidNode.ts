@@ -17,6 +17,7 @@ import { FieldError } from '../skeleton/skeleton.ts';
 import type { Sample } from '../stroke/stroke.ts';
 import { curveOfStroke } from './curves.ts';
 import type { BodyPart, SolidPart } from './document.ts';
+import { dotOf } from './form/dot.ts';
 import { forms, type Ink, type Shaped, type Sum } from './form/index.ts';
 import { linearRgb } from './paint.ts';
 import { onPlane } from './skelPlane.ts';
@@ -162,8 +163,10 @@ export function shapedOf(group: Group, sum: Sum): Shaped | null {
 }
 
 function inkOf(group: Group): Ink | null {
-  const { strokes, brush, shape, skeleton, isRough = false } = group;
-  const curves = strokes.map((stroke) => curveOfStroke(stroke, brush)).filter((curve) => curve !== null);
+  const { form, strokes, brush, shape, skeleton, isRough = false } = group;
+  const curves = strokes.flatMap(
+    (stroke) => curveOfStroke(stroke, brush) ?? (form === 'point' ? dotOf(stroke.samples) : null) ?? [],
+  );
   return curves.length > 0 ? { curves, brush, shape, skeleton, isRough } : null;
 }
 
