@@ -1,16 +1,10 @@
 import { expect, test } from 'vitest';
 import { apply } from '../../../src/document/command/index.ts';
 import { EMPTY_DOCUMENT, isSolid } from '../../../src/document/document.ts';
-import { dotOf } from '../../../src/document/form/dot.ts';
 import { nodeOf } from '../../../src/document/solidNode.ts';
 import { strokeAlong } from '../strokes.ts';
 
 const tap = strokeAlong(() => [7, 9], {}, 3);
-
-test('a tap is where it is', () => {
-  expect(dotOf(tap.samples)!.point(0.5)).toEqual([7, 9]);
-  expect(dotOf([])).toBeNull();
-});
 
 test('a tap becomes a ball when it is told to', () => {
   const drawn = apply(EMPTY_DOCUMENT, { type: 'addStroke', stroke: tap, form: 'point' });
