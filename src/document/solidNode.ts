@@ -20,6 +20,7 @@ import { forms, type Ink, type Shaped, type Sum } from './form/index.ts';
 import { linearRgb } from './paint.ts';
 import { onPlane } from './skelPlane.ts';
 import { type Component, DEFAULT_COMPONENT, type Group } from './solid.ts';
+import { tapOf } from './tap.ts';
 
 const nodes = new WeakMap<readonly Component[], FieldNode>();
 
@@ -174,8 +175,10 @@ function shapedFor(group: Group, sum: Sum): Shaped | null {
 }
 
 function inkOf(group: Group): Ink | null {
-  const { strokes, brush, shape, skeleton, isRough = false } = group;
-  const curves = strokes.map((stroke) => curveOfStroke(stroke, brush)).filter((curve) => curve !== null);
+  const { form, strokes, brush, shape, skeleton, isRough = false } = group;
+  const curves = strokes
+    .map((stroke) => curveOfStroke(stroke, brush) ?? (form === 'point' ? tapOf(stroke) : null))
+    .filter((curve) => curve !== null);
   return curves.length > 0 ? { curves, brush, shape, skeleton, isRough } : null;
 }
 
