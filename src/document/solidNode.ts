@@ -88,7 +88,8 @@ function termsOf(group: Group, component: Component): readonly Term[] {
   const sum = sumOf(group, component);
   const shaped = sum && shapedFor(group, sum);
   if (!shaped) return [];
-  const { kernel, params } = sum;
+  const { kernel } = sum;
+  const params = shaped.params ?? sum.params;
   const known = terms.get(group);
   if (known?.shaped === shaped) return known.terms;
   const { plane } = group.strokes[0]!;

@@ -44,6 +44,8 @@ export interface Shaped {
   /** in the plane z = 0, mm */
   readonly skels: readonly AnySkel[];
   readonly figures?: Figures;
+  /** where the kernel's width is found together with the skels */
+  readonly params?: KernelParams;
 }
 
 export interface FormKind {
