@@ -11,16 +11,17 @@ import type { Warp } from '../field/warp.ts';
 import { kernelNamed } from '../kernel/index.ts';
 import type { Kernel, KernelParams } from '../kernel/kernel.ts';
 import { cross3 } from '../math/tuple.ts';
+import type { Vec2 } from '../math/vec.ts';
 import { hasRadii, weighted } from '../skeleton/radii.ts';
 import { FieldError } from '../skeleton/skeleton.ts';
-import type { Sample } from '../stroke/stroke.ts';
+import type { Curve } from '../stroke/curve.ts';
+import type { Sample, Stroke } from '../stroke/stroke.ts';
 import { curveOfStroke } from './curves.ts';
 import type { BodyPart, SolidPart } from './document.ts';
 import { forms, type Ink, type Shaped, type Sum } from './form/index.ts';
 import { linearRgb } from './paint.ts';
 import { onPlane } from './skelPlane.ts';
 import { type Component, DEFAULT_COMPONENT, type Group } from './solid.ts';
-import { tapOf } from './tap.ts';
 
 const nodes = new WeakMap<readonly Component[], FieldNode>();
 
@@ -177,10 +178,26 @@ function shapedFor(group: Group, sum: Sum): Shaped | null {
 
 function inkOf(group: Group): Ink | null {
   const { form, strokes, brush, shape, skeleton, isRough = false } = group;
-  const curves = strokes
-    .map((stroke) => curveOfStroke(stroke, brush) ?? (form === 'point' ? tapOf(stroke) : null))
-    .filter((curve) => curve !== null);
+  const drawn = strokes.map(
+    (stroke) => curveOfStroke(stroke, brush) ?? (form === 'point' ? dotOf(stroke) : null),
+  );
+  const curves = drawn.filter((curve) => curve !== null);
   return curves.length > 0 ? { curves, brush, shape, skeleton, isRough } : null;
+}
+
+/** A pen that was still is nowhere else than there. */
+function dotOf({ samples }: Stroke): Curve | null {
+  const [first] = samples;
+  if (!first) return null;
+  const at: Vec2 = [first.x, first.y];
+  return {
+    closed: false,
+    length: 0,
+    corners: [],
+    point: () => at,
+    tangent: () => [1, 0],
+    pressure: () => first.pressure,
+  };
 }
 
 /** Kernels do not do everything: what they cannot is nothing. */

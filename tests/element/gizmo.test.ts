@@ -33,7 +33,14 @@ describe('the handles', () => {
   );
 
   it('leave out an axis that points at the viewer', () => {
-    expect(knobs([0, 0, 0, 1]).map(({ handle }) => handle)).toEqual(['view', 'x', 'y', 'surface', 'turn', 'scale']);
+    expect(knobs([0, 0, 0, 1]).map(({ handle }) => handle)).toEqual([
+      'view',
+      'x',
+      'y',
+      'surface',
+      'turn',
+      'scale',
+    ]);
   });
 
   it('show two axes that lie one behind the other at opposite ends', () => {
