@@ -32,6 +32,8 @@ export interface CastImages {
   readonly milliseconds: number;
   /** The first, 0, is through the middle of the pixels, and there in part before it is whole. */
   image(number: number): SurfaceImage;
+  /** Nobody asks for images any more: what they lie on is given back. */
+  drop?(): void;
 }
 
 export interface CastListener {

@@ -4,16 +4,20 @@
  * before is done, so that frames in between are not late and nothing more is cast of what nobody waits for. Rays through other places of the
  * pixels are cast for all of them: finding edges would take a device longer than four more rays.
  */
-import { OFFSETS } from '../field/rayEdges.ts';
 import type { RayCamera } from '../field/rayImage.ts';
-import { type GpuRaycaster, gpuRaycaster } from '../gpu/raycast/raycaster.ts';
+import {
+  type DeviceImage,
+  type GpuRaycaster,
+  gpuRaycaster,
+  type PlacedBody,
+} from '../gpu/raycast/raycaster.ts';
 import { taken } from '../gpu/taken.ts';
 import type { Scene, SurfaceImage } from '../scene/index.ts';
 import { TEST, WITH_GRADIENT } from '../skeleton/work.ts';
 import type { View } from '../stroke/stroke.ts';
 import { type Caster, type CastImages, type CastListener, MOST_RAYS, type ShownBody } from './caster.ts';
 import { DeviceBodies } from './deviceBodies.ts';
-import { DeviceImages, Slot } from './deviceImages.ts';
+import { DeviceImages } from './deviceImages.ts';
 import { messageOf } from './events.ts';
 import { Pace } from './pace.ts';
 
@@ -21,8 +25,6 @@ import { Pace } from './pace.ts';
 const BAND = 8;
 /** pixels along a side for a ray where something moves: what still looks like the surface */
 const COARSER = [1, 2, 4] as const;
-/** ms until an image that nobody draws makes room for the next */
-const UNSEEN = 100;
 /** rays a pixel: what the next picture or band has at least, though the last one was paper */
 const SPARSE = 0.25;
 const MIDDLE = [0.5, 0.5] as const;
@@ -40,8 +42,7 @@ interface Ready {
 
 export class DeviceRays implements Caster {
   readonly #device: GPUDevice;
-  readonly #slots = [new Slot(), new Slot()] as const;
-  readonly #live = new Slot();
+  #live: DeviceImage | null = null;
   readonly #pace = new Pace();
   #loading: Promise<Ready> | null = null;
   #ready: Ready | null = null;
@@ -61,7 +62,7 @@ export class DeviceRays implements Caster {
 
   cast(bodies: readonly ShownBody[], camera: RayCamera, listener: CastListener): CastImages {
     const ids = bodies.map(({ id }) => id);
-    const casting = { images: new DeviceImages(camera, ids, this.#slots), listener };
+    const casting = { images: new DeviceImages(camera, ids), listener };
     this.#casting = casting;
     void this.#run(casting, bodies, camera).catch((error: unknown) => {
       if (this.#casting === casting) this.#refuse(messageOf(error));
@@ -84,9 +85,13 @@ export class DeviceRays implements Caster {
     const { raycaster } = this.#ready;
     const side = (length: number) => Math.max(1, Math.round(length / coarser));
     const camera = { view, width: side(pixels.width), height: side(pixels.height), offset: MIDDLE };
-    // each is another's: all of it is cast
-    const { surface, colours, stride } = this.#live.image(raycaster, {}, 0, camera);
-    const rays = this.#live.go(raycaster, placed, camera, camera.height);
+    const { width, height } = camera;
+    if (this.#live?.width !== width || this.#live.height !== height) {
+      this.#live?.destroy();
+      this.#live = raycaster.image(width, height);
+    }
+    const { surface, colours, stride } = this.#live;
+    const rays = raycaster.cast(this.#live, placed, camera);
     this.#share = rays / (camera.width * camera.height);
     this.#time(rays);
     return { camera, items: bodies.map(({ id }) => id), surface, colours, stride };
@@ -97,9 +102,10 @@ export class DeviceRays implements Caster {
     this.#casting = null;
   }
 
-  /** Images go, which are cast once more where they are asked for. */
+  /** Pictures that somebody looks at stay. */
   idle(): void {
-    for (const slot of [...this.#slots, this.#live]) slot.destroy();
+    this.#live?.destroy();
+    this.#live = null;
   }
 
   end(): void {
@@ -126,47 +132,50 @@ export class DeviceRays implements Caster {
     if (!wanted()) return;
     if (!placed) throw new Error('its bodies are gone');
     const start = performance.now();
-    images.cast = { raycaster, bodies: placed };
     for (let number = 0; number < images.whole; number++) {
-      if (!(await this.#whole(casting, number))) return;
+      const image = await this.#whole(casting, number, raycaster, placed);
+      if (!image) return;
       if (number === 0) {
         images.milliseconds = performance.now() - start;
-        const { terms } = await images.begun(0).work();
+        const { terms } = await image.work();
         if (!wanted()) return;
         images.evaluationsAPixel = ((WITH_GRADIENT + TEST) * terms) / (camera.width * camera.height);
       }
       images.count = number + 1;
       listener.changed();
-      if (number > 0 && number < OFFSETS.length) await images.asked(number, UNSEEN);
     }
     if (wanted()) this.#casting = null;
   }
 
-  /** All rows of an image, band by band; false when it was given up. */
-  async #whole(casting: Casting, number: number): Promise<boolean> {
+  /** All rows of an image, band by band; null when it was given up. */
+  async #whole(
+    casting: Casting,
+    number: number,
+    raycaster: GpuRaycaster,
+    bodies: readonly PlacedBody[],
+  ): Promise<DeviceImage | null> {
     const { images, listener } = casting;
     const camera = images.camera(number);
-    const slot = images.slot(number);
-    for (;;) {
-      const { cast } = images;
-      if (this.#casting !== casting || !cast) return false;
-      // another image may have taken the room in between: then this one begins anew
-      const { height } = images.begun(number);
-      if (slot.rowsOf(images, number) >= height) return true;
-      const rows = Math.ceil(this.#pace.rays(BAND) / (camera.width * Math.max(this.#density, SPARSE)));
-      const before = slot.rowsOf(images, number);
+    const { width, height } = camera;
+    if (this.#casting !== casting) return null;
+    const image = await taken(this.#device, 'an image', () => images.begin(raycaster));
+    for (let row = 0; row < height; ) {
+      if (this.#casting !== casting) return null;
+      const rows = Math.ceil(this.#pace.rays(BAND) / (width * Math.max(this.#density, SPARSE)));
+      const end = Math.min(row + rows, height);
       const start = performance.now();
-      const rays = await taken(this.#device, 'rays', () =>
-        slot.go(cast.raycaster, cast.bodies, camera, rows),
-      );
+      const rays = await taken(this.#device, 'rays', () => raycaster.cast(image, bodies, camera, row, end));
       await this.#device.queue.onSubmittedWorkDone();
       this.#pace.hear(rays, performance.now() - start);
-      this.#density = rays / (camera.width * Math.min(rows, height - before));
-      if (this.#casting === casting && number === 0) {
-        images.share = images.known[1];
-        listener.changed();
-      }
+      this.#density = rays / (width * (end - row));
+      row = end;
+      if (this.#casting !== casting) return null;
+      if (number > 0) continue;
+      images.rows = row;
+      images.share = images.known[1];
+      listener.changed();
     }
+    return image;
   }
 
   #load(): Promise<Ready> {
@@ -194,6 +203,7 @@ export class DeviceRays implements Caster {
   #refuse(why: string): void {
     const casting = this.#casting;
     this.#casting = null;
+    casting?.images.drop();
     casting?.listener.refused(why);
   }
 }

@@ -132,4 +132,7 @@ class Casting implements CastImages {
   image(number: number): SurfaceImage {
     return this.of.image(number);
   }
+  drop(): void {
+    this.of.drop?.();
+  }
 }

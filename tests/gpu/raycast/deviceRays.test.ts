@@ -1,5 +1,5 @@
 /** Exact mode's images on the device: those of the CPU, in whatever order they are asked for, given up and begun anew. */
-import { afterAll, beforeAll, expect, it } from 'vitest';
+import { afterAll, beforeAll, expect, it, vi } from 'vitest';
 import type { CastImages, ShownBody } from '../../../src/element/caster.ts';
 import { DeviceRays } from '../../../src/element/deviceRays.ts';
 import { bindField } from '../../../src/field/bind.ts';
@@ -96,11 +96,13 @@ describeGpu('rays on the device for exact mode', () => {
     closeDawn();
   });
 
-  it('images are the CPU’s in any order, also when another picture came in between', async () => {
+  it('images are the CPU’s in any order, and cast once, also when another picture came in between', async () => {
     expect(rays.live(BODIES, camera(8, 8).view, camera(8, 8), Infinity)).toBeNull();
     const first = await whole(rays, camera(45, 34));
     const second = await whole(rays, camera(30, 30));
     expect(first.evaluationsAPixel).toBeGreaterThan(0.5);
+    const submitted = vi.spyOn(opened.device.queue, 'submit');
+    const made = vi.spyOn(opened.device, 'createBuffer');
     for (const [images, number] of [
       [second, 4],
       [first, 0],
@@ -109,11 +111,16 @@ describeGpu('rays on the device for exact mode', () => {
       [first, 3],
     ] as const) {
       const image = images.image(number);
+      expect(submitted).not.toHaveBeenCalled();
+      expect(made).not.toHaveBeenCalled();
       expect(image.items).toEqual(['ball', 'point']);
       expect(image.camera.offset).toEqual([[0.5, 0.5], ...OFFSETS][number]);
       // a ray that only just touches is either
       expect(await off(opened.device, image)).toBeLessThanOrEqual(4);
+      submitted.mockClear();
+      made.mockClear();
     }
+    vi.restoreAllMocks();
     // of pipelines, which a busy machine takes long for
   }, 240_000);
 
