@@ -180,12 +180,16 @@ test('the graphics device casts the picture of the workers, and while the view t
     const told: boolean[] = [];
     seen.live = (now) => told[told.push(live(now)) - 1]!;
     const view = session.scene!.rig.view();
-    session.scene!.rig.setView({ ...view, height: 1.02 * view.height }, false);
-    session.frames.wake();
-    await new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
+    // the first frame asks for room
+    for (const height of [1.01 * view.height, 1.02 * view.height]) {
+      session.scene!.rig.setView({ ...view, height }, false);
+      session.frames.wake();
+      await new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
+      await session.scene!.device!.queue.onSubmittedWorkDone();
+    }
     return told;
   });
-  expect(isLive[0]).toBe(true);
+  expect(isLive.at(-1)).toBe(true);
   const turned = await takePicture(page);
   await look({ mode: 'mesh' });
   expect(differing(turned, await takePicture(page), 110)).toBeLessThan(30);

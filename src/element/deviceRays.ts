@@ -15,19 +15,15 @@ import { taken } from '../gpu/taken.ts';
 import type { Scene, SurfaceImage } from '../scene/index.ts';
 import { TEST, WITH_GRADIENT } from '../skeleton/work.ts';
 import type { View } from '../stroke/stroke.ts';
-import { type Caster, type CastImages, type CastListener, MOST_RAYS, type ShownBody } from './caster.ts';
+import type { Caster, CastImages, CastListener, ShownBody } from './caster.ts';
 import { DeviceBodies } from './deviceBodies.ts';
 import { DeviceImages } from './deviceImages.ts';
+import { DeviceLive } from './deviceLive.ts';
 import { messageOf } from './events.ts';
-import { Pace } from './pace.ts';
+import { Pace, SPARSE } from './pace.ts';
 
 /** ms of rays between two frames */
 const BAND = 8;
-/** pixels along a side for a ray where something moves: what still looks like the surface */
-const COARSER = [1, 2, 4] as const;
-/** rays a pixel: what the next picture or band has at least, though the last one was paper */
-const SPARSE = 0.25;
-const MIDDLE = [0.5, 0.5] as const;
 
 interface Casting {
   readonly images: DeviceImages;
@@ -42,22 +38,25 @@ interface Ready {
 
 export class DeviceRays implements Caster {
   readonly #device: GPUDevice;
-  #live: DeviceImage | null = null;
+  readonly #told: (why: string) => void;
+  readonly #load: typeof gpuRaycaster;
   readonly #pace = new Pace();
+  readonly #live: DeviceLive;
   #loading: Promise<Ready> | null = null;
   #ready: Ready | null = null;
   /** null: nothing is wanted, or all of it is there */
   #casting: Casting | null = null;
-  /** the same of the last band */
+  /** rays a pixel of the last band: bodies do not fill it, or cover each other */
   #density = 1;
-  /** rays a pixel of the last live image: bodies do not fill it, or cover each other */
-  #share = 1;
-  /** a live image is being timed */
-  #isTimed = false;
   #isGone = false;
+  #hasTold = false;
 
-  constructor(device: GPUDevice) {
+  /** `told`: once, why the device casts less than it was asked for. */
+  constructor(device: GPUDevice, told: (why: string) => void = () => {}, load = gpuRaycaster) {
     this.#device = device;
+    this.#told = told;
+    this.#load = load;
+    this.#live = new DeviceLive(device, this.#pace, (why) => this.#tell(why));
   }
 
   cast(bodies: readonly ShownBody[], camera: RayCamera, listener: CastListener): CastImages {
@@ -65,7 +64,9 @@ export class DeviceRays implements Caster {
     const casting = { images: new DeviceImages(camera, ids), listener };
     this.#casting = casting;
     void this.#run(casting, bodies, camera).catch((error: unknown) => {
-      if (this.#casting === casting) this.#refuse(messageOf(error));
+      if (this.#casting !== casting) return;
+      this.#refuse(messageOf(error));
+      this.#tell(messageOf(error));
     });
     return casting.images;
   }
@@ -77,24 +78,9 @@ export class DeviceRays implements Caster {
     milliseconds: number,
   ): SurfaceImage | null {
     const placed = this.#ready?.bodies.known(bodies);
-    const takes =
-      this.#pace.milliseconds(Math.max(this.#share, SPARSE) * pixels.width * pixels.height) ?? Infinity;
-    const fits = (side: number) => pixels.width * pixels.height <= MOST_RAYS * side * side;
-    const coarser = COARSER.find((side) => takes <= milliseconds * side * side && fits(side));
-    if (!placed || coarser === undefined || !this.#ready) return null;
-    const { raycaster } = this.#ready;
-    const side = (length: number) => Math.max(1, Math.round(length / coarser));
-    const camera = { view, width: side(pixels.width), height: side(pixels.height), offset: MIDDLE };
-    const { width, height } = camera;
-    if (this.#live?.width !== width || this.#live.height !== height) {
-      this.#live?.destroy();
-      this.#live = raycaster.image(width, height);
-    }
-    const { surface, colours, stride } = this.#live;
-    const rays = raycaster.cast(this.#live, placed, camera);
-    this.#share = rays / (camera.width * camera.height);
-    this.#time(rays);
-    return { camera, items: bodies.map(({ id }) => id), surface, colours, stride };
+    if (!placed || !this.#ready) return null;
+    const items = bodies.map(({ id }) => id);
+    return this.#live.image(this.#ready.raycaster, { bodies: placed, items, view, pixels }, milliseconds);
   }
 
   /** Bodies are kept. */
@@ -104,8 +90,7 @@ export class DeviceRays implements Caster {
 
   /** Pictures that somebody looks at stay. */
   idle(): void {
-    this.#live?.destroy();
-    this.#live = null;
+    this.#live.idle();
   }
 
   end(): void {
@@ -124,7 +109,7 @@ export class DeviceRays implements Caster {
   async #run(casting: Casting, shown: readonly ShownBody[], camera: RayCamera): Promise<void> {
     const { images, listener } = casting;
     const wanted = () => this.#casting === casting;
-    const { raycaster, bodies } = await this.#load();
+    const { raycaster, bodies } = await this.#loaded();
     const placed = await bodies.ready(shown, wanted, (share) => {
       images.share = share;
       listener.changed();
@@ -178,8 +163,8 @@ export class DeviceRays implements Caster {
     return image;
   }
 
-  #load(): Promise<Ready> {
-    this.#loading ??= gpuRaycaster(this.#device).then((raycaster) => {
+  #loaded(): Promise<Ready> {
+    this.#loading ??= this.#load(this.#device).then((raycaster) => {
       const ready = { raycaster, bodies: new DeviceBodies(raycaster) };
       if (!this.#isGone) this.#ready = ready;
       return ready;
@@ -187,17 +172,10 @@ export class DeviceRays implements Caster {
     return this.#loading;
   }
 
-  #time(rays: number): void {
-    if (this.#isTimed) return;
-    this.#isTimed = true;
-    const start = performance.now();
-    const done = () => {
-      this.#isTimed = false;
-    };
-    void this.#device.queue.onSubmittedWorkDone().then(() => {
-      this.#pace.hear(rays, performance.now() - start);
-      done();
-    }, done);
+  #tell(why: string): void {
+    if (this.#hasTold || this.#isGone) return;
+    this.#hasTold = true;
+    this.#told(why);
   }
 
   #refuse(why: string): void {

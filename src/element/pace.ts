@@ -7,6 +7,8 @@
 const GROWTH = 4;
 /** share of what was seen last */
 const BELIEF = 0.4;
+/** rays a pixel: what the next picture or band is thought to have at least, though the last one was paper */
+export const SPARSE = 0.25;
 /** rays of the first band of all */
 const FIRST = 1 << 14;
 

@@ -62,6 +62,7 @@ export const WORDS = {
   mesh: (triangles: number) => `mesh · ${thousands(triangles)} triangles`,
   exact: (evaluations: number, milliseconds: number) =>
     `exact · ${evaluations < 10 ? evaluations.toFixed(1) : Math.round(evaluations)} evaluations per pixel · ${seconds(milliseconds)}`,
+  raysRefused: (why: string) => `Processors or triangles stand in for rays: ${why}`,
   notExact: 'no rays here, triangles',
   style: (name: string) => `Style: ${name.toLowerCase()}`,
   tooShort: 'A dot is too short for a tube. Draw a longer line.',
