@@ -2,6 +2,7 @@
  * Images of what moves, cast by the graphics device within a frame: as finely as there is time for by what those before took. Room for them is asked
  * for beside the frames, which show meshes until it is there: what a device has no memory for looks like an empty picture.
  */
+import type { DeviceBody } from '../gpu/raycast/body.ts';
 import type { DeviceImage, GpuRaycaster, PlacedBody } from '../gpu/raycast/raycaster.ts';
 import { taken } from '../gpu/taken.ts';
 import type { Scene, SurfaceImage } from '../scene/index.ts';
@@ -34,6 +35,8 @@ export class DeviceLive {
   /** rays a pixel of the last one: bodies do not fill it, or cover each other */
   #share = 1;
   #isTimed = false;
+  /** bodies with rays that were given up */
+  readonly #holed = new WeakSet<DeviceBody>();
   #isRefused = false;
 
   /** `refused` is told once, and then there is nothing more. */
@@ -47,7 +50,7 @@ export class DeviceLive {
   image(raycaster: Casts, moving: Moving, milliseconds: number): SurfaceImage | null {
     const { bodies, items, view, pixels } = moving;
     const coarser = this.#isRefused ? undefined : this.#coarser(pixels, milliseconds);
-    if (coarser === undefined) return null;
+    if (coarser === undefined || bodies.some(({ body }) => this.#holed.has(body))) return null;
     const side = (length: number) => Math.max(1, Math.round(length / coarser));
     const camera = { view, width: side(pixels.width), height: side(pixels.height), offset: MIDDLE };
     const room = this.#room(raycaster, camera.width, camera.height);
@@ -59,7 +62,7 @@ export class DeviceLive {
     void taken(this.#device, 'rays', cast).catch((error: unknown) => this.#refuse(messageOf(error)));
     if (rays === null) return null;
     this.#share = rays / (camera.width * camera.height);
-    this.#time(rays);
+    void this.#time(room, rays, bodies);
     const { surface, colours, stride } = room;
     return { camera, items, surface, colours, stride };
   }
@@ -107,17 +110,19 @@ export class DeviceLive {
     }
   }
 
-  #time(rays: number): void {
+  /** How long it took, and whether it has holes: then meshes are seen of these bodies from now on, whoever of them it was. */
+  async #time(room: DeviceImage, rays: number, bodies: readonly PlacedBody[]): Promise<void> {
     if (this.#isTimed) return;
     this.#isTimed = true;
     const start = performance.now();
-    const done = () => {
-      this.#isTimed = false;
-    };
-    void this.#device.queue.onSubmittedWorkDone().then(() => {
+    try {
+      const { lost } = await room.work();
       this.#pace.hear(rays, performance.now() - start);
-      done();
-    }, done);
+      if (lost > 0) for (const { body } of bodies) this.#holed.add(body);
+    } catch {
+      // the device is gone, and so are its pictures
+    }
+    this.#isTimed = false;
   }
 
   #refuse(why: string): void {

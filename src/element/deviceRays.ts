@@ -3,6 +3,9 @@
  * scene's own textures. Bands of rows that take the device no longer than a part of a frame follow each other, each after the one
  * before is done, so that frames in between are not late and nothing more is cast of what nobody waits for. Rays through other places of the
  * pixels are cast for all of them: finding edges would take a device longer than four more rays.
+ *
+ * A ray that was given up is a hole in the picture: how many there were is read back with each image, and where there was one the whole picture is
+ * left to who knows no limit; which pixels they were no image says.
  */
 import type { RayCamera } from '../field/rayImage.ts';
 import {
@@ -120,10 +123,14 @@ export class DeviceRays implements Caster {
     for (let number = 0; number < images.whole; number++) {
       const image = await this.#whole(casting, number, raycaster, placed);
       if (!image) return;
+      const { terms, lost } = await image.work();
+      if (!wanted()) return;
+      if (lost > 0) {
+        this.#refuse(`${lost} rays were given up`);
+        return;
+      }
       if (number === 0) {
         images.milliseconds = performance.now() - start;
-        const { terms } = await image.work();
-        if (!wanted()) return;
         images.evaluationsAPixel = ((WITH_GRADIENT + TEST) * terms) / (camera.width * camera.height);
       }
       images.count = number + 1;

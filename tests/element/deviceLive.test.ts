@@ -8,8 +8,9 @@ import { UNMOVED } from '../../src/math/placement.ts';
 import { FakeDevice } from './fakeDevice.ts';
 
 const VIEW = { pivot: [0, 0, 0], rotation: [0, 0, 0, 1], height: 20, fov: 0 } as const;
-const moving = (width: number, height: number): Moving => ({
-  bodies: [{ body: {} as DeviceBody, placement: UNMOVED }],
+const BODY = {} as DeviceBody;
+const moving = (width: number, height: number, body = BODY): Moving => ({
+  bodies: [{ body, placement: UNMOVED }],
   items: ['a'],
   view: VIEW,
   pixels: { width, height },
@@ -18,6 +19,7 @@ const moving = (width: number, height: number): Moving => ({
 let device: FakeDevice;
 let rooms: number;
 let casts: number;
+let lost: number;
 let told: string[];
 let live: DeviceLive;
 const raycaster = {
@@ -25,7 +27,16 @@ const raycaster = {
     device.asked();
     rooms++;
     const destroy = () => void rooms--;
-    return { width, height, stride: width, surface: {}, colours: {}, destroy } as unknown as DeviceImage;
+    const work = async () => ({ terms: 1, lost });
+    return {
+      width,
+      height,
+      stride: width,
+      surface: {},
+      colours: {},
+      work,
+      destroy,
+    } as unknown as DeviceImage;
   },
   cast(): number {
     device.asked();
@@ -39,6 +50,7 @@ beforeEach(() => {
   device = new FakeDevice();
   rooms = 0;
   casts = 0;
+  lost = 0;
   told = [];
   const pace = new Pace();
   pace.hear(1e6, 1);
@@ -85,6 +97,15 @@ describe('DeviceLive', () => {
     await vi.waitFor(() => expect(told.length).toBe(1));
     expect(image()).toBeNull();
     expect(rooms).toBe(0);
+  });
+
+  it('bodies with rays that were given up are seen no more, others are', async () => {
+    image();
+    await vi.waitFor(() => expect(image()).not.toBeNull());
+    lost = 1;
+    await vi.waitFor(() => expect(image()).toBeNull());
+    expect(live.image(raycaster, moving(40, 30, {} as DeviceBody), 12)).not.toBeNull();
+    expect(told).toEqual([]);
   });
 
   it('room that arrives when nobody moves any more goes', async () => {

@@ -96,6 +96,22 @@ describe('DeviceRays', () => {
     expect(told.length).toBe(1);
   });
 
+  it('a picture with rays that were given up is never whole, in whatever image; the next one is cast all the same', async () => {
+    for (const first of [0, 3]) {
+      let number = 0;
+      raycaster.refuses = (asked) => {
+        if (asked === 'image') raycaster.lost = number++ >= first ? 2 : 0;
+        return false;
+      };
+      expect(await cast(camera(40, 30), sphere(5))).toEqual(['2 rays were given up']);
+      expect(raycaster.rooms).toBe(0);
+    }
+    expect(told).toEqual([]);
+    raycaster.refuses = () => false;
+    raycaster.lost = 0;
+    expect(await cast(camera(40, 30), sphere(5))).toBe('whole');
+  });
+
   it('images are there until they are dropped', async () => {
     expect(await cast(camera(40, 30), sphere(5))).toBe('whole');
     expect(raycaster.rooms).toBe(5);
