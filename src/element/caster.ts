@@ -39,8 +39,8 @@ export interface CastImages {
 export interface CastListener {
   /** there is more */
   changed(): void;
-  /** there will be nothing more, in words */
-  refused(why: string): void;
+  /** there will be nothing more, in words; `trees`: whose fault that is, where it is known, and will be the next time, too */
+  refused(why: string, trees?: readonly FieldNode[]): void;
 }
 
 export interface Caster {

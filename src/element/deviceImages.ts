@@ -49,7 +49,10 @@ export class DeviceImages implements CastImages {
     return image;
   }
 
+  /** There are none, as if none had been. */
   drop(): void {
+    this.count = 0;
+    this.rows = 0;
     for (const image of this.#made.splice(0)) image.destroy();
   }
 }

@@ -7,6 +7,7 @@
  * A ray that was given up is a hole in the picture: how many there were is read back with each image, and where there was one the whole picture is
  * left to who knows no limit; which pixels they were no image says.
  */
+import type { FieldNode } from '../field/node.ts';
 import type { RayCamera } from '../field/rayImage.ts';
 import {
   type DeviceImage,
@@ -19,7 +20,8 @@ import type { Scene, SurfaceImage } from '../scene/index.ts';
 import { TEST, WITH_GRADIENT } from '../skeleton/work.ts';
 import type { View } from '../stroke/stroke.ts';
 import type { Caster, CastImages, CastListener, ShownBody } from './caster.ts';
-import { DeviceBodies } from './deviceBodies.ts';
+import { blamed } from './deviceBlame.ts';
+import { DeviceBodies, TreesRefused } from './deviceBodies.ts';
 import { DeviceImages } from './deviceImages.ts';
 import { DeviceLive } from './deviceLive.ts';
 import { messageOf } from './events.ts';
@@ -53,6 +55,8 @@ export class DeviceRays implements Caster {
   #density = 1;
   #isGone = false;
   #hasTold = false;
+  /** rays of a picture that no body was to blame for: as many are too many */
+  #tooMany = Infinity;
 
   /** `told`: once, why the device casts less than it was asked for. */
   constructor(device: GPUDevice, told: (why: string) => void = () => {}, load = gpuRaycaster) {
@@ -68,7 +72,7 @@ export class DeviceRays implements Caster {
     this.#casting = casting;
     void this.#run(casting, bodies, camera).catch((error: unknown) => {
       if (this.#casting !== casting) return;
-      this.#refuse(messageOf(error));
+      this.#refuse(messageOf(error), error instanceof TreesRefused ? error.trees : []);
       this.#tell(messageOf(error));
     });
     return casting.images;
@@ -112,6 +116,7 @@ export class DeviceRays implements Caster {
   async #run(casting: Casting, shown: readonly ShownBody[], camera: RayCamera): Promise<void> {
     const { images, listener } = casting;
     const wanted = () => this.#casting === casting;
+    if (camera.width * camera.height >= this.#tooMany) throw new Error('as many rays were refused before');
     const { raycaster, bodies } = await this.#loaded();
     const placed = await bodies.ready(shown, wanted, (share) => {
       images.share = share;
@@ -121,7 +126,13 @@ export class DeviceRays implements Caster {
     if (!placed) throw new Error('its bodies are gone');
     const start = performance.now();
     for (let number = 0; number < images.whole; number++) {
-      const image = await this.#whole(casting, number, raycaster, placed);
+      const image = await this.#whole(casting, number, raycaster, placed).catch(async (error: unknown) => {
+        images.drop();
+        const isBlamed = await blamed(this.#device, raycaster, placed, camera);
+        const trees = shown.filter((_, i) => isBlamed[i]).map(({ node }) => node);
+        if (trees.length === 0) this.#tooMany = Math.min(this.#tooMany, camera.width * camera.height);
+        throw new TreesRefused(messageOf(error), trees);
+      });
       if (!image) return;
       const { terms, lost } = await image.work();
       if (!wanted()) return;
@@ -185,10 +196,10 @@ export class DeviceRays implements Caster {
     this.#told(why);
   }
 
-  #refuse(why: string): void {
+  #refuse(why: string, trees: readonly FieldNode[] = []): void {
     const casting = this.#casting;
     this.#casting = null;
     casting?.images.drop();
-    casting?.listener.refused(why);
+    casting?.listener.refused(why, trees);
   }
 }

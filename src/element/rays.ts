@@ -50,13 +50,13 @@ export class Rays implements Caster {
     const images = new Casting();
     images.of = device.cast(bodies, camera, {
       changed: () => listener.changed(),
-      refused: (why) => {
+      refused: (why, trees = []) => {
         // it is gone, and so is the picture
         if (this.#device !== device) {
           listener.refused(why);
           return;
         }
-        for (const { node } of bodies) this.#refused.add(node);
+        for (const node of trees) this.#refused.add(node);
         images.of = this.#workers.cast(bodies, camera, listener);
       },
     });

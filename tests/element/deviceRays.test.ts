@@ -22,6 +22,8 @@ const sphere = (radius: number): FieldNode => ({ type: 'shape', shape: { type: '
 class FakeRaycaster implements GpuRaycaster {
   rooms = 0;
   lost = 0;
+  /** no body can be made of it */
+  unmade: FieldNode | null = null;
   /** what the device refuses, as it is asked for */
   refuses: (asked: 'image' | 'cast', bodies: readonly PlacedBody[], size: number) => boolean = () => false;
   readonly #device: FakeDevice;
@@ -30,6 +32,7 @@ class FakeRaycaster implements GpuRaycaster {
     this.#device = device;
   }
   async body(node: FieldNode): Promise<DeviceBody> {
+    if (node === this.unmade) throw new RangeError('no bounds');
     return { node, bytes: 1, destroy: () => {} } as unknown as DeviceBody;
   }
   image(width: number, height: number): DeviceImage {
@@ -79,10 +82,9 @@ beforeEach(() => {
 describe('DeviceRays', () => {
   it('memory that is refused ends the picture, and is told once', async () => {
     raycaster.refuses = (asked) => asked === 'image';
-    for (let i = 0; i < 2; i++)
-      expect(await cast(camera(40, 30), sphere(5))).toMatchObject([
-        'the graphics device refused an image: no',
-      ]);
+    const why = 'the graphics device refused an image: no';
+    expect(await cast(camera(40, 30), sphere(5))).toEqual([why, []]);
+    expect(await cast(camera(20, 30), sphere(5))).toEqual([why, []]);
     expect(told).toEqual(['the graphics device refused an image: no']);
     expect(raycaster.rooms).toBe(0);
   });
@@ -90,7 +92,7 @@ describe('DeviceRays', () => {
   it('so do rays, whatever was there before; and nothing is told of what ended', async () => {
     let left = 3;
     raycaster.refuses = (asked) => asked === 'cast' && left-- === 0;
-    expect(await cast(camera(40, 30), sphere(5))).toMatchObject(['the graphics device refused rays: no']);
+    expect(await cast(camera(40, 30), sphere(5))).toEqual(['the graphics device refused rays: no', []]);
     expect(raycaster.rooms).toBe(0);
     rays.end();
     expect(told.length).toBe(1);
@@ -103,13 +105,41 @@ describe('DeviceRays', () => {
         if (asked === 'image') raycaster.lost = number++ >= first ? 2 : 0;
         return false;
       };
-      expect(await cast(camera(40, 30), sphere(5))).toEqual(['2 rays were given up']);
+      expect(await cast(camera(40, 30), sphere(5))).toEqual(['2 rays were given up', []]);
       expect(raycaster.rooms).toBe(0);
     }
     expect(told).toEqual([]);
     raycaster.refuses = () => false;
     raycaster.lost = 0;
     expect(await cast(camera(40, 30), sphere(5))).toBe('whole');
+  });
+
+  it('the tree that no body can be made of is to blame, no other', async () => {
+    const [good, bad] = [sphere(5), sphere(6)];
+    raycaster.unmade = bad;
+    expect(await cast(camera(40, 30), good, bad)).toEqual(['no bounds', [bad]]);
+    expect(told).toEqual(['no bounds']);
+    expect(await cast(camera(40, 30), good)).toBe('whole');
+  });
+
+  it('so is the one whose rays alone are refused', async () => {
+    const [good, bad] = [sphere(5), sphere(6)];
+    const isBad = ({ body }: PlacedBody) => (body as unknown as { node: FieldNode }).node === bad;
+    raycaster.refuses = (asked, bodies) => asked === 'cast' && bodies.some(isBad);
+    expect(await cast(camera(40, 30), good, bad)).toEqual([expect.stringContaining('refused rays'), [bad]]);
+    expect(raycaster.rooms).toBe(0);
+    expect(await cast(camera(40, 30), good)).toBe('whole');
+  });
+
+  it('where nobody is it is the size of the picture, and larger ones are not tried', async () => {
+    const node = sphere(5);
+    raycaster.refuses = (_, bodies, size) => bodies.length === 0 && size >= 1200;
+    const refused = [expect.stringContaining('refused an image'), []];
+    expect(await cast(camera(40, 30), node)).toEqual(refused);
+    const asked = vi.spyOn(raycaster, 'image');
+    expect(await cast(camera(40, 40), node)).toEqual(['as many rays were refused before', []]);
+    expect(asked).not.toHaveBeenCalled();
+    expect(await cast(camera(30, 30), node)).toBe('whole');
   });
 
   it('images are there until they are dropped', async () => {
@@ -120,5 +150,6 @@ describe('DeviceRays', () => {
     expect(raycaster.rooms).toBe(10);
     images.drop!();
     expect(raycaster.rooms).toBe(5);
+    expect([images.count, ...images.known]).toEqual([0, 0, 0]);
   });
 });

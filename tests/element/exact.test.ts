@@ -76,6 +76,19 @@ class DroppedCaster implements Caster {
   end(): void {}
 }
 
+/** Two images, then as many as the test says. */
+class TakenOver implements Caster {
+  readonly images = {
+    ...{ count: 2, whole: 5, known: [0, 0] as const, share: 0.5, evaluationsAPixel: 1, milliseconds: 1 },
+    image: () => ({ camera: {}, items: [] }) as unknown as SurfaceImage,
+  };
+  cast(): CastImages {
+    return this.images;
+  }
+  stop(): void {}
+  end(): void {}
+}
+
 const NONE = { surface: null, colours: null };
 /** values of one skel that a band takes */
 const WORK = 90;
@@ -249,6 +262,23 @@ describe('Exact', () => {
     for (let i = 0; i < 10; i++) expect(exact.frame(seen({ version: 2 }))).toBe(true);
     expect(exact.isWhole).toBe(true);
     expect(worker.casts).toBe(2);
+  });
+
+  it('begins anew where others take a picture over of which some images were seen', () => {
+    const caster = new TakenOver();
+    exact = new Exact(() => {}, caster);
+    rested();
+    for (let i = 0; i < 3; i++) exact.frame(seen());
+    expect(exact.evaluationsAPixel).toBe(1);
+    caster.images.count = 0;
+    expect(exact.frame(seen())).toBe(false);
+    expect(exact.evaluationsAPixel).toBeNull();
+    expect(exact.share).toBe(0.5);
+    caster.images.count = 5;
+    refined = 0;
+    vi.advanceTimersByTime(1000);
+    for (let i = 0; i < 10; i++) expect(exact.frame(seen())).toBe(true);
+    expect(exact.isWhole).toBe(true);
   });
 
   it('gives images back when nobody shows them any more, and not before', async () => {
