@@ -161,7 +161,10 @@ export class DeviceRays implements Caster {
     const camera = images.camera(number);
     const { width, height } = camera;
     if (this.#casting !== casting) return null;
+    const asked = performance.now();
     const image = await taken(this.#device, 'an image', () => images.begin(raycaster));
+    await this.#device.queue.onSubmittedWorkDone();
+    this.#pace.answered(performance.now() - asked);
     for (let row = 0; row < height; ) {
       if (this.#casting !== casting) return null;
       const rows = Math.ceil(this.#pace.rays(BAND) / (width * Math.max(this.#density, SPARSE)));
