@@ -102,6 +102,8 @@ export class Exact {
   live({ scene, bodies, view }: Omit<Seen, 'version'>): boolean {
     if (bodies.length === 0 || this.#isBusy || this.problem !== null) return false;
     const image = this.#caster.live?.(bodies, view, scene.pixels, LIVE);
+    // what moves for long is wanted as long
+    if (image) this.#letGo();
     return image ? scene.refine(image, { alone: true }) : false;
   }
 

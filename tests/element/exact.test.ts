@@ -72,6 +72,13 @@ class DroppedCaster implements Caster {
       drop: () => void this.left--,
     };
   }
+  live(): SurfaceImage {
+    return { camera: {}, items: [] } as unknown as SurfaceImage;
+  }
+  idles = 0;
+  idle(): void {
+    this.idles++;
+  }
   stop(): void {}
   end(): void {}
 }
@@ -325,6 +332,21 @@ describe('Exact', () => {
     worker = new FakeWorker();
     rested();
     expect(worker.casts).toBe(1);
+  });
+
+  it('is not idle as long as something moves', () => {
+    const caster = new DroppedCaster();
+    exact = new Exact(() => {}, caster);
+    rested();
+    for (let i = 0; i < 10; i++) exact.frame(seen());
+    for (let i = 0; i < 10; i++) {
+      exact.rest();
+      expect(exact.live(seen())).toBe(true);
+      vi.advanceTimersByTime(15_000);
+    }
+    expect(caster.idles).toBe(0);
+    vi.advanceTimersByTime(100_000);
+    expect(caster.idles).toBe(1);
   });
 
   it('has no more rays than can be paid for', () => {
