@@ -10,6 +10,9 @@ import type { SurfaceImage } from '../scene/index.ts';
 import type { CastImages } from './caster.ts';
 import { BAND } from './rayJobs.ts';
 
+/** of the time until the first image is there, the first time; later less */
+const LOCATING = 0.1;
+
 export class ExactImages implements CastImages {
   readonly whole = 1 + OFFSETS.length;
   milliseconds = 0;
@@ -69,8 +72,7 @@ export class ExactImages implements CastImages {
 
   /** Bodies are looked for, then rows cast. */
   get share(): number {
-    const bands = this.#there.length;
-    return this.#missing === bands ? this.#located : 1 - this.#missing / bands;
+    return LOCATING * this.#located + (1 - LOCATING) * (1 - this.#missing / this.#there.length);
   }
 
   get known(): readonly [from: number, to: number] {
