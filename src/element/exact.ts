@@ -139,6 +139,11 @@ export class Exact {
     return this.#count > 0 ? (this.#images?.evaluationsAPixel ?? null) : null;
   }
 
+  /** Some rows of what is seen, or will be, are triangles: nobody could cast them. */
+  get isInPart(): boolean {
+    return (this.#images?.lost ?? null) !== null && this.problem === null;
+  }
+
   /** ms that the first image took */
   get milliseconds(): number {
     return this.#images?.milliseconds ?? 0;

@@ -100,6 +100,8 @@ export class Session implements Bench, Viewport {
   #tuned: State | null = null;
   /** bodies whose problem was told */
   readonly #told = new WeakSet<FieldNode>();
+  /** that some rows could not be cast, since exact mode was switched on */
+  #toldRows = false;
   /** where one looked from when there last was a scene */
   #lastView: View = FRONT_VIEW;
   readonly frames: Frames;
@@ -225,6 +227,10 @@ export class Session implements Bench, Viewport {
 
   /** Whoever heard that it is on its way hears once how that ended, unless something else was said since. */
   #sayExact(): void {
+    if (this.exact.isInPart && !this.#toldRows) {
+      this.#toldRows = true;
+      this.said = WORDS.rowsLost;
+    }
     if (this.said !== WORDS.onItsWay) return;
     if (this.exact.problem !== null) this.said = WORDS.noExact(this.exact.problem);
     else if (this.exact.evaluationsAPixel !== null) this.said = WORDS.mode.exact;
@@ -487,6 +493,7 @@ export class Session implements Bench, Viewport {
   }
 
   setMode(mode: Mode): void {
+    if (mode !== this.look.mode) this.#toldRows = false;
     const words = mode === 'exact' && mode !== this.look.mode ? WORDS.onItsWay : WORDS.mode[mode];
     this.said = this.hasBodies ? words : WORDS.noBodies;
     if (this.hasBodies) this.setLook({ mode });
@@ -560,7 +567,8 @@ export class Session implements Bench, Viewport {
     if (problem !== null) return WORDS.notExact;
     // also before it is begun, and while something moves
     if (evaluationsAPixel === null) return WORDS.casting(Math.floor(100 * (share ?? 0)));
-    return WORDS.exact(evaluationsAPixel, milliseconds);
+    const words = WORDS.exact(evaluationsAPixel, milliseconds);
+    return this.exact.isInPart ? WORDS.inPart(words) : words;
   }
 
   /** Whether the picture is a mesh or exact, and of what; or what is being made. */

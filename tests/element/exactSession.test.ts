@@ -26,7 +26,10 @@ class FakeWorker {
     if (message.type === 'cast') casts.add(message.id);
     this.todo.push(message);
   }
-  terminate(): void {}
+  ended = false;
+  terminate(): void {
+    this.ended = true;
+  }
   answer(): void {
     const id = Math.max(...casts);
     for (let job = this.todo.shift(); job; job = this.todo.shift()) {
@@ -49,7 +52,7 @@ let refined: number | null;
 const scene = {
   device: null,
   description: null,
-  pixels: { width: 20, height: 16 },
+  pixels: { width: 20, height: 32 },
   get refined() {
     return refined;
   },
@@ -128,6 +131,28 @@ it('says once why there is none', () => {
   expect(session.seen).toBe(WORDS.notExact);
   session.said = 'another';
   session.select(['nobody']);
+  rested();
+  expect(session.said).toBe('another');
+});
+
+it('says once that rows are missing, and that they are triangles as long as they are', () => {
+  session.setMode('exact');
+  vi.advanceTimersByTime(500);
+  const begun = () => {
+    for (const { onmessage } of workers) onmessage?.({ data: { type: 'begun', id: 0 } });
+  };
+  // whoever has the only band
+  for (let deaths = 0; deaths < 2; deaths++) {
+    begun();
+    const band = (worker: FakeWorker) => !worker.ended && worker.todo.some(({ type }) => type === 'band');
+    workers.find(band)!.onerror?.({ message: 'no room' });
+  }
+  expect(session.said).toBe(WORDS.rowsLost);
+  rested();
+  expect(session.seen).toMatch(/^exact · .* · some rows triangles$/);
+  session.said = 'another';
+  session.setStyle('toon', 'toon');
+  session.said = 'another';
   rested();
   expect(session.said).toBe('another');
 });
