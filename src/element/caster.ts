@@ -24,6 +24,8 @@ export interface CastImages {
   readonly whole: number;
   /** rows of the first that are there, from … to …, 0–1 from the top */
   readonly known: readonly [from: number, to: number];
+  /** rows of all that nobody could cast, all between the first and the last of these, in the same way: triangles are seen there */
+  readonly lost?: readonly [from: number, to: number] | null;
   /** 0–1 of what is being done until the first is whole */
   readonly share: number;
   /** of the first image, in values of one skel; null until it is whole */

@@ -28,7 +28,7 @@ const ENOUGH = 3;
  */
 const PART = 0.3;
 const PAUSE = 1500;
-/** ms without a wish until workers end: bricks are worth keeping while somebody goes back and forth */
+/** ms without a wish until workers end and images go: bricks are worth keeping while somebody goes back and forth */
 const IDLE = 20_000;
 
 const MIDDLE = [0.5, 0.5] as const;
@@ -51,7 +51,7 @@ export class Exact {
   readonly #changed: () => void;
   readonly #caster: Caster;
   #images: CastImages | null = null;
-  /** what the images are of, and what is drawn of them */
+  /** what the images are of, and what is drawn of them; '': nothing is wanted */
   #cast = '';
   #drawn = '';
   /** images that are drawn */
@@ -82,7 +82,7 @@ export class Exact {
     if (bodies.length === 0 || this.#isBusy) return false;
     this.#keep();
     const camera = cameraOf(view, scene.pixels);
-    const cast = castOf(bodies, camera);
+    const cast = nameOf(bodies, camera);
     const drawn = `${version} ${cast}`;
     if (drawn !== this.#drawn) {
       if (cast !== this.#cast) this.#giveUp();
@@ -107,33 +107,43 @@ export class Exact {
     return image ? scene.refine(image, { alone: true }) : false;
   }
 
-  /** Nothing is wanted. */
+  /** Nothing is wanted for now: images that are whole are kept for when the same is wanted again. */
   rest(): void {
-    if (this.#cast === '' && !this.#images) return;
+    if (this.#drawn === '') return;
+    if (!this.#isKept) this.drop();
+    this.#leave();
+    this.#letGo();
+  }
+
+  /** Nothing is wanted, and nothing kept: images may lie on a device that goes. */
+  drop(): void {
     this.#giveUp();
     this.#cast = '';
-    this.#drawn = '';
-    clearTimeout(this.#timer);
-    this.#rested = false;
-    this.#letGo();
+    this.#leave();
   }
 
   /** Nobody is there to see them. */
   stop(): void {
-    this.rest();
+    this.drop();
     this.#keep();
     this.#caster.end();
   }
 
-  /** 0–1 of what is being done; null: nothing is. */
+  /** 0–1 of what is there until the first image is seen; null: it is, or none is wanted, or there is none. */
   get share(): number | null {
+    if (this.#drawn === '' || this.#count > 0 || this.problem !== null) return null;
     const images = this.#images;
-    return images && images.count === 0 && this.problem === null ? images.share : null;
+    return images ? (images.count > 0 ? 1 : images.share) : 0;
   }
 
   /** Of the image that is seen, in values of one skel; null: none is. */
   get evaluationsAPixel(): number | null {
     return this.#count > 0 ? (this.#images?.evaluationsAPixel ?? null) : null;
+  }
+
+  /** Some rows of what is seen, or will be, are triangles: nobody could cast them. */
+  get isInPart(): boolean {
+    return (this.#images?.lost ?? null) !== null && this.problem === null;
   }
 
   /** ms that the first image took */
@@ -165,12 +175,12 @@ export class Exact {
     camera: RayCamera,
     draw: (images: Images) => Promise<T>,
   ): Promise<T> {
-    if (!this.#isCast) this.rest();
+    if (!this.#isKept) this.drop();
     this.#keep();
     this.#isBusy = true;
     try {
-      const isSame = castOf(bodies, camera) === this.#cast;
-      const images = (isSame && this.#images) || (await this.#allOf(bodies, camera));
+      const kept = nameOf(bodies, camera) === this.#cast ? this.#images : null;
+      const images = kept ?? (await this.#allOf(bodies, camera));
       this.#lent = images;
       return await draw(Array.from({ length: images.whole }, (_, i) => () => images.image(i)));
     } finally {
@@ -191,11 +201,6 @@ export class Exact {
     });
   }
 
-  /** All images of the screen are there. */
-  get #isCast(): boolean {
-    return this.#images !== null && this.#images.count === this.#images.whole && this.problem === null;
-  }
-
   #keep(): void {
     clearTimeout(this.#idle);
   }
@@ -203,12 +208,28 @@ export class Exact {
   #letGo(): void {
     if (this.#isBusy) return;
     this.#keep();
-    this.#idle = setTimeout(() => this.#caster.idle?.(), IDLE);
+    this.#idle = setTimeout(() => {
+      if (this.#drawn === '') this.drop();
+      this.#caster.idle?.();
+    }, IDLE);
+  }
+
+  #leave(): void {
+    this.#drawn = '';
+    this.#count = 0;
+    this.#rested = false;
+    clearTimeout(this.#timer);
+  }
+
+  /** All images are there. */
+  get #isKept(): boolean {
+    const images = this.#images;
+    return images !== null && images.count === images.whole && this.problem === null;
   }
 
   #giveUp(): void {
     // what is whole is nothing to stop: by now others may be cast
-    if (this.#images && !this.#isCast) this.#caster.stop();
+    if (this.#images && !this.#isKept) this.#caster.stop();
     if (this.#images !== this.#lent) this.#images?.drop?.();
     this.#images = null;
     this.#count = 0;
@@ -273,9 +294,12 @@ export const shownBodies = ({ parts }: Document): readonly ShownBody[] =>
     .filter(({ hidden }) => !hidden)
     .map(({ id, node, placement }) => ({ id, node, placement, cells: cellsMade(node) }));
 
-/** The same for the same picture, but for its style. */
-const castOf = (bodies: readonly ShownBody[], camera: RayCamera): string =>
-  JSON.stringify([camera, bodies.map(({ node, placement, cells }) => [keyOf(node), placement, cells])]);
+/** What rays are cast at, and from where: the same for the same images. */
+const nameOf = (bodies: readonly ShownBody[], camera: RayCamera): string =>
+  JSON.stringify([
+    camera,
+    bodies.map(({ id, node, placement, cells }) => [id, keyOf(node), placement, cells]),
+  ]);
 
 function cameraOf(view: View, { width, height }: Scene['pixels']): RayCamera {
   const shrunk = Math.min(1, Math.sqrt(MOST_RAYS / (width * height)));

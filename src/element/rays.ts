@@ -124,6 +124,9 @@ class Casting implements CastImages {
   get known() {
     return this.of.known;
   }
+  get lost() {
+    return this.of.lost ?? null;
+  }
   get share() {
     return this.of.share;
   }

@@ -295,7 +295,7 @@ describe('Exact', () => {
     for (let i = 0; i < 10; i++) exact.frame(seen());
     expect(caster.left).toBe(1);
     const lent = exact.picture(BODIES, FRONT_VIEW, PIXELS, async () => {
-      exact.rest();
+      exact.drop();
       expect(caster.left).toBe(1);
     });
     await lent;
@@ -303,6 +303,33 @@ describe('Exact', () => {
     await exact.picture(BODIES, FRONT_VIEW, PIXELS, async () => expect(caster.left).toBe(1));
     expect(caster.left).toBe(0);
     expect(caster.casts).toBe(2);
+  });
+
+  it('keeps what is whole while nothing is wanted, and through pictures, of which the same is cast once', async () => {
+    rested();
+    worker.answer();
+    for (let i = 0; i < 10; i++) exact.frame(seen());
+    exact.rest();
+    const { length } = await exact.picture(BODIES, FRONT_VIEW, PIXELS, async (images) => images);
+    expect(length).toBe(1 + OFFSETS.length);
+    expect(worker.casts).toBe(1);
+    const other = exact.picture(BODIES, FRONT_VIEW, { width: 8, height: 6 }, async (images) => images);
+    await vi.waitFor(() => expect(worker.casts).toBe(2));
+    worker.answer();
+    await other;
+    [refined, drawn] = [0, []];
+    rested();
+    expect(exact.share).toBeNull();
+    for (let i = 0; i < 10; i++) exact.frame(seen());
+    expect(drawn.length).toBe(1 + OFFSETS.length);
+    expect(drawn[0]!.camera).toMatchObject(PIXELS);
+    expect(worker.casts).toBe(2);
+    // not for ever, and not of what is another
+    exact.rest();
+    vi.advanceTimersByTime(100_000);
+    rested();
+    rested(seen({ view: { ...FRONT_VIEW, height: 50 } }));
+    expect(worker.casts).toBe(4);
   });
 
   it('ends its worker, and what waits for it, with the element', async () => {
