@@ -1,6 +1,7 @@
 /** What a pen points at on a body: a place on its surface itself, from the triangles, which are a part of a cell away from it, along the ray; and the skel there. */
 import { type Body, CELLS } from '../document/bodies.ts';
-import type { BodyPart } from '../document/document.ts';
+import type { BodyPart, SolidPart } from '../document/document.ts';
+import { nodeOf } from '../document/solidNode.ts';
 import { bindField } from '../field/bind.ts';
 import type { FieldNode } from '../field/node.ts';
 import { skelAt } from '../field/skelAt.ts';
@@ -22,10 +23,12 @@ const bound = new WeakMap<FieldNode, TreeField>();
 /** The place of the triangles where the surface is not within reach, as beside an outline. */
 export function pickedOn(
   hit: Hit,
-  { node, placement }: BodyPart,
+  part: BodyPart | SolidPart,
   ray: Ray,
   made: Pick<Body, 'mesh' | 'cells'>,
 ): Picked {
+  const { placement } = part;
+  const node = nodeOf(part);
   const { rotation, translation } = placement;
   const near = unrotate3(rotation, sub3(hit.point, translation));
   const found = onSurface(fieldOf(node), near, unrotate3(rotation, ray.direction), cellOf(made));

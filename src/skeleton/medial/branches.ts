@@ -16,12 +16,13 @@ export function neighboursOf({ nodes, links }: MedialGraph): readonly (readonly 
 /** All chains; lone nodes are chains of one. */
 export function chainsOf(graph: MedialGraph): Chain[] {
   const near = neighboursOf(graph);
-  const used = new Set<string>();
+  const used = new Set<number>();
+  const key = (a: number, b: number) => (a < b ? a * near.length + b : b * near.length + a);
   const chains: Chain[] = [];
   const follow = (start: number) => {
     for (const next of near[start]!) {
       if (used.has(key(start, next))) continue;
-      chains.push(walk(near, used, start, next));
+      chains.push(walk(near, used, key, start, next));
     }
   };
   near.forEach((others, at) => {
@@ -32,7 +33,13 @@ export function chainsOf(graph: MedialGraph): Chain[] {
   return chains;
 }
 
-function walk(near: readonly (readonly number[])[], used: Set<string>, start: number, next: number): Chain {
+function walk(
+  near: readonly (readonly number[])[],
+  used: Set<number>,
+  key: (a: number, b: number) => number,
+  start: number,
+  next: number,
+): Chain {
   const chain = [start, next];
   used.add(key(start, next));
   for (let at = next; at !== start && near[at]!.length === 2; ) {
@@ -44,8 +51,6 @@ function walk(near: readonly (readonly number[])[], used: Set<string>, start: nu
   }
   return chain;
 }
-
-const key = (a: number, b: number): string => (a < b ? `${a} ${b}` : `${b} ${a}`);
 
 /** Only these nodes, and the links between them. */
 export function subgraph({ nodes, links }: MedialGraph, isKept: (node: number) => boolean): MedialGraph {

@@ -1,0 +1,17 @@
+/** The forms: one line each is the registry. */
+import type { Form } from '../solid.ts';
+import type { FormKind } from './form.ts';
+import { line } from './line.ts';
+import { point } from './point.ts';
+import { soft } from './soft.ts';
+
+export type { Figures, FormKind, Ink, Shaped, Sum } from './form.ts';
+
+export const forms: Readonly<Record<Form, FormKind>> = {
+  soft,
+  plate: soft,
+  ring: line,
+  line,
+  curve: line,
+  point,
+};
