@@ -95,3 +95,10 @@ export function partsWithDraft(document: Document): Document['parts'] {
   const joined = joinedOf(document);
   return joined ? document.parts.map((part) => (part === joined ? draft : part)) : [...document.parts, draft];
 }
+
+/** As it is shown while the pen moves: an unfinished solid of fewer points. */
+export function roughly(document: Document): Document {
+  const { draft } = document;
+  if (!draft || readingOf(document) !== 'solid') return document;
+  return { ...document, draft: { ...draft, isRough: true } };
+}

@@ -11,9 +11,11 @@ import type { Warp } from '../field/warp.ts';
 import { kernelNamed } from '../kernel/index.ts';
 import type { Kernel, KernelParams } from '../kernel/kernel.ts';
 import { cross3 } from '../math/tuple.ts';
+import type { Vec2 } from '../math/vec.ts';
 import { hasRadii, weighted } from '../skeleton/radii.ts';
 import { FieldError } from '../skeleton/skeleton.ts';
-import type { Sample } from '../stroke/stroke.ts';
+import type { Curve } from '../stroke/curve.ts';
+import type { Sample, Stroke } from '../stroke/stroke.ts';
 import { curveOfStroke } from './curves.ts';
 import type { BodyPart, SolidPart } from './document.ts';
 import { forms, type Ink, type Shaped, type Sum } from './form/index.ts';
@@ -175,9 +177,27 @@ function shapedFor(group: Group, sum: Sum): Shaped | null {
 }
 
 function inkOf(group: Group): Ink | null {
-  const { strokes, brush, shape, skeleton, isRough = false } = group;
-  const curves = strokes.map((stroke) => curveOfStroke(stroke, brush)).filter((curve) => curve !== null);
+  const { form, strokes, brush, shape, skeleton, isRough = false } = group;
+  const drawn = strokes.map(
+    (stroke) => curveOfStroke(stroke, brush) ?? (form === 'point' ? dotOf(stroke) : null),
+  );
+  const curves = drawn.filter((curve) => curve !== null);
   return curves.length > 0 ? { curves, brush, shape, skeleton, isRough } : null;
+}
+
+/** A pen that was still is nowhere else than there. */
+function dotOf({ samples }: Stroke): Curve | null {
+  const [first] = samples;
+  if (!first) return null;
+  const at: Vec2 = [first.x, first.y];
+  return {
+    closed: false,
+    length: 0,
+    corners: [],
+    point: () => at,
+    tangent: () => [1, 0],
+    pressure: () => first.pressure,
+  };
 }
 
 /** Kernels do not do everything: what they cannot is nothing. */

@@ -29,7 +29,7 @@ export const WORDS = {
   ready: 'Ready to draw',
   loading: 'Preparing the picture',
   preview: (kind: Reading) => `${SURFACE[kind].long}, preview`,
-  kept: (kind: Reading, parts: number) => `${SURFACE[kind].long} added, part ${parts}`,
+  kept: (long: string, parts: number) => `${long} added, part ${parts}`,
   dropped: 'Dropped. Undo brings it back',
   undone: (what: string) => `Undone: ${what}`,
   redone: (what: string) => `Redone: ${what}`,
@@ -58,13 +58,21 @@ export const WORDS = {
   volumesHint: 'Around each skel all that it can be inside of, after Zhu et al. (M)',
   volumesSaid: (on: boolean) => (on ? 'Bounding volumes of the skels' : 'No bounding volumes'),
   noBodies: 'There is no implicit body in this drawing: all of it is triangles anyway.',
-  casting: (percent: number) => `casting rays, ${percent} %`,
+  /** at once, before anything of it is seen */
+  onItsWay: 'The exact surface of bodies is on its way',
+  casting: (percent: number) => `exact on its way · ${percent} %`,
   mesh: (triangles: number) => `mesh · ${thousands(triangles)} triangles`,
   exact: (evaluations: number, milliseconds: number) =>
     `exact · ${evaluations < 10 ? evaluations.toFixed(1) : Math.round(evaluations)} evaluations per pixel · ${seconds(milliseconds)}`,
+  raysRefused: (why: string) => `Processors or triangles stand in for rays: ${why}`,
+  inPart: (exact: string) => `${exact} · some rows triangles`,
+  rowsLost: 'Some rows of the picture could not be cast: bodies are triangles there',
   notExact: 'no rays here, triangles',
+  noExact: (why: string) => `There is no exact surface here, bodies stay triangles: ${why}`,
   style: (name: string) => `Style: ${name.toLowerCase()}`,
   tooShort: 'A dot is too short for a tube. Draw a longer line.',
+  orPoint: 'A dot is too short for a tube. Make it a point?',
+  point: 'Point',
   edgeOn: 'The form’s drawing plane is seen from its edge.',
   turnBack: 'Turn back',
   /** what an unfinished form is that no part can be made of */
@@ -310,4 +318,52 @@ export const SOLID_WORDS = {
   handle: { turn: 'Turn', scale: 'Scale' },
   turnHint: 'Drag around, with Shift in steps of 15°; arrow keys 1°, with Shift 10°.',
   scaleHint: 'Drag outward, with Shift in steps of 10 %; arrow keys 1 %, with Shift 10 %.',
+} as const;
+
+/** What strokes become in a solid: short on chips; in full; and what it is good for. */
+export const FORMS = {
+  soft: { name: 'Soft', long: 'Soft solid', hint: 'A soft body that follows the outline' },
+  plate: { name: 'Plate', long: 'Plate', hint: 'Flat between its two sides, as thick as the radius says' },
+  ring: { name: 'Ring', long: 'Ring', hint: 'Around along the outline, open in the middle' },
+  carve: { name: 'Carve', long: 'Carving', hint: 'Takes away from what it starts on' },
+  tube: { name: 'Tube', long: 'Tube', hint: 'A tube with a surface of its own' },
+  line: { name: 'Line', long: 'Line', hint: 'A soft line that blends with its neighbours' },
+  curve: { name: 'Curve', long: 'Curve', hint: 'A soft curve of few control points' },
+  point: { name: 'Point', long: 'Point', hint: 'A ball of the radius' },
+} as const;
+export type FormWord = keyof typeof FORMS;
+
+/** How a solid goes with the one it starts on. */
+export const JOINS = {
+  blend: { name: 'Blend', hint: (of: string) => `Melts with ${of}` },
+  attach: { name: 'Attach', hint: (of: string) => `Sits on ${of}, with a crease between them` },
+  apart: { name: 'Apart', hint: () => 'A part of its own' },
+} as const;
+export type JoinWord = keyof typeof JOINS;
+
+/** Words of silhouettes in the hand. */
+export const SILHOUETTE_WORDS = {
+  forms: 'What the strokes become',
+  joins: (name: string) => `How it goes with ${name}`,
+  joinsFact: {
+    blend: (name: string) => `joins ${name}`,
+    attach: (name: string) => `sits on ${name}`,
+    carve: (name: string) => `from ${name}`,
+  },
+  holes: (count: number) => (count === 1 ? '1 hole' : `${count} holes`),
+  radius: (mm: number) => `${mm} mm radius`,
+  thick: (mm: number) => `${mm} mm thick`,
+  preview: (long: string, joined: string | null) => `${long}, preview${joined ? `. Joins ${joined}` : ''}`,
+  carving: (joined: string) => `Carving, preview. Takes away from ${joined}`,
+  added: (long: string, joined: string) => `${long} added to ${joined}`,
+  carved: (joined: string) => `${joined} carved`,
+  meter: 'Closed outline, or a tube',
+  closed: 'Closed outline',
+  open: 'Leave it open: tube',
+  shortOpen: 'Open: tube',
+  crosses: 'The outline crosses itself.',
+  redraw: 'Redraw',
+  join: 'Join the parts',
+  nothing: 'nothing to fill',
+  asTube: 'Tube',
 } as const;

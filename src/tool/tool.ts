@@ -36,7 +36,8 @@ export interface Bench {
   commit(commands: readonly Command[]): void;
   /** The camera comes to where these parts fill the picture. */
   focus(ids: readonly string[]): void;
-  notify(notice: Notice): void;
+  /** `offer`: what would be done instead, if that is what was meant */
+  notify(notice: Notice, offer?: readonly Command[]): void;
 }
 
 /** The gesture so far, for the wet ink. */

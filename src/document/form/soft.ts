@@ -26,9 +26,13 @@ export const soft: FormKind = {
   },
 };
 
+/** As they are drawn, crossings and all. */
+export const loopsDrawn = (curves: readonly Curve[], places = PLACES): readonly Loop[] =>
+  curves.map((curve) => loopOf(curve, places));
+
 /** Simple ones. */
 export function loopsOf({ curves, isRough }: Ink): readonly Loop[] {
-  const [outer, ...holes] = curves.map((curve) => loopOf(curve, isRough ? ROUGH : PLACES));
+  const [outer, ...holes] = loopsDrawn(curves, isRough ? ROUGH : PLACES);
   return outer ? untangle(outer, holes) : [];
 }
 
