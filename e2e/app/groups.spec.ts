@@ -109,6 +109,7 @@ test('a group is hidden, named and deleted as parts are', async ({ page }) => {
   await page.keyboard.press('Enter');
   await expect(row(page, 'Left ear')).toBeVisible();
   await page.keyboard.press('Delete');
+  expect((await facts(page)).said).toBe('Left ear deleted. Undo brings it back');
   expect((await facts(page)).made[0]).toEqual([['Body', 'Head'], ['Eye']]);
   await page.keyboard.press('Control+z');
   expect((await facts(page)).made[0]).toEqual([['Body', 'Head', 'Left ear'], ['Eye']]);

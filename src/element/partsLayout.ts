@@ -15,6 +15,8 @@ export const partsLayout = css`
   .gizmo .shaft { stroke: currentColor; stroke-width: 3; }
   .gizmo .shaft.surface { stroke: var(--edge); stroke-width: 2; stroke-dasharray: 1 6; }
   .gizmo .halo:has(+ .surface) { stroke: none; }
+  .gizmo .ink-halo { stroke: var(--surface); stroke-width: 4; stroke-linejoin: round; opacity: 0.7; }
+  .gizmo .ink { stroke: var(--pencil); stroke-width: 1.75; stroke-linejoin: round; stroke-dasharray: 5 4; }
   .gizmo .ring-halo { fill: none; stroke: var(--surface); stroke-width: 5; }
   .gizmo .ring { fill: none; stroke: var(--edge); stroke-width: 1.75; }
   .gizmo .x { color: var(--axis-x); }
