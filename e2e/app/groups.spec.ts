@@ -253,7 +253,7 @@ test('a second tap takes the group under the pen, Escape goes up; the ring turns
   await page.mouse.down();
   await page.mouse.move(knob.x, knob.y + 40);
   await page.mouse.move(knob.x - 40, knob.y + 60);
-  await expect(page.locator('.value-tag')).toHaveText(/^-?\d+°$/);
+  await expect(page.locator('.value-tag')).toHaveText(/^−?\d+°$/);
   await page.mouse.up();
   expect((await facts(page)).steps).toBe(steps + 3);
   await page.locator('.stage').focus();

@@ -83,7 +83,8 @@ function tag(knobs: readonly Knob[], carried: Carried | undefined): TemplateResu
   const handle = degrees !== undefined ? 'turn' : 'scale';
   const at = knobs.find((knob) => knob.handle === handle)?.at;
   if (!at || (degrees === undefined && factor === undefined)) return nothing;
-  const text = degrees !== undefined ? `${Math.round(degrees)}°` : `${Math.round(100 * factor!)} %`;
+  const text =
+    degrees !== undefined ? `${Math.round(degrees)}°`.replace('-', '−') : `${Math.round(100 * factor!)} %`;
   return html`<span class="value-tag" aria-hidden="true" style="left:${at[0]}px;top:${at[1]}px">${text}</span>`;
 }
 
