@@ -311,6 +311,8 @@ export const SOLID_WORDS = {
     about === null
       ? 'Flips it where it is: nothing else is there, or it lies in the middle'
       : `To the other side of the middle of ${about}, as you look at it`,
+  copy: 'Copy',
+  paste: 'Paste',
   copied: (name: string) => `${name} copied`,
   cut: (name: string) => `${name} cut. Undo brings it back`,
   pasted: (name: string) => `${name} pasted`,
