@@ -18,6 +18,7 @@ export const chipLayout = css`
   .chip.narrow { max-width: 19rem; }
   .chip.narrow .main { flex-wrap: wrap; }
   .chip.narrow .main > .text { flex: 1; }
+  .chip.narrow .main > .text .word { display: inline; }
   .chip.narrow .forms { border: 0; margin: 0; padding: 0; flex: 1; justify-content: space-around; }
   .chip.narrow .forms .b { padding: 0; }
   .chip.narrow .forms .word { display: none; }
@@ -28,6 +29,7 @@ export const chipLayout = css`
     .chip, .chip.narrow { width: auto; max-width: none; }
     .chip .main { flex-wrap: wrap; }
     .chip.narrow .main > .text { flex: none; }
+    .chip.narrow .main > .text .word { display: none; }
     .chip .forms, .chip.narrow .forms { order: 1; flex: none; width: 100%; justify-content: space-around; border: 0; border-top: 1px solid var(--hairline); margin: 0; padding: 0.25rem 0 0; }
     .chip .forms .b, .chip.narrow .forms .b { flex: 1; max-width: 4.5rem; }
     .chip .joins .b { flex: 1; padding: 0 0.5rem; }
@@ -37,5 +39,7 @@ export const chipLayout = css`
   }
   @container (max-width: 359px) {
     .meter button { padding: 0 0.5rem; gap: 0.375rem; }
+    .chip .what { padding-right: 0; }
+    .chip .main > .text { padding: 0 0.75rem; }
   }
 `;

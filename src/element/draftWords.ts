@@ -31,7 +31,9 @@ export function previewWords(document: Document): string {
   if (kind && kind !== 'solid') return WORDS.preview(kind);
   const joined = joinedOf(document)?.name ?? null;
   if (joined && document.draft?.carves) return SOLID_WORDS.carving(joined);
-  return SOLID_WORDS.preview(longName(document), joined);
+  const { joins, sitsOn } = SOLID_WORDS.previewOf;
+  if (joined) return (document.draft?.joins?.component ? joins : sitsOn)(longName(document), joined);
+  return SOLID_WORDS.preview(longName(document));
 }
 
 /** When it was kept: `document` is the one before. */
