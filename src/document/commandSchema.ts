@@ -24,6 +24,9 @@ import {
 
 const ids = list(name, LIMITS.strokes, 'ids');
 
+const mirrorFields = { about: point, normal: unitVector };
+const mirror = fields(mirrorFields);
+
 const kind = <const T extends Command['type'], const E extends v.ObjectEntries>(type: T, data: E) =>
   fields({ type: v.literal(type, `"${type}"`), ...data });
 
@@ -47,9 +50,9 @@ const kinds = [
   kind('setPartBrush', { ids, change: brushChange }),
   kind('showParts', { ids, visible: flag }),
   kind('moveParts', { ids, by: placement }),
-  kind('duplicateParts', { ids, offset: point }),
+  kind('duplicateParts', { ids, offset: point, mirror: v.exactOptional(mirror) }),
   kind('scaleParts', { ids, factor: number(RANGES.factor), about: point }),
-  kind('mirrorParts', { ids, about: point, normal: unitVector }),
+  kind('mirrorParts', { ids, ...mirrorFields }),
   kind('paste', { parts: list(wholePart, LIMITS.strokes, 'parts'), offset: point }),
   kind('setForm', {
     form: v.exactOptional(v.nullable(form)),

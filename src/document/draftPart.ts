@@ -13,7 +13,7 @@ import {
   groupsOf,
   isForm,
 } from './solid.ts';
-import { isEmpty } from './solidNode.ts';
+import { shapedOf } from './solidNode.ts';
 import { WORD } from './words.ts';
 
 /** The part that the unfinished form joins; null: none, or it is gone. */
@@ -85,7 +85,7 @@ function solidWith(document: Document, group: Group): SolidPart {
 /** Something can be made of it. */
 export function hasDraftGroup(document: Document): boolean {
   const group = draftGroup(document);
-  return group !== null && !isEmpty(group, { id: '', name: '', ...DEFAULT_COMPONENT, groups: [group] });
+  return group !== null && shapedOf(group, DEFAULT_COMPONENT) !== null;
 }
 
 /** Kept parts with the unfinished form among them, where it is a solid. */

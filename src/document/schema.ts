@@ -8,7 +8,7 @@ import { UNMOVED } from '../math/placement.ts';
 import { surfaces } from '../surface/index.ts';
 import { type Brush, DEFAULT_BRUSH, type Document, EMPTY_DOCUMENT, type Part } from './document.ts';
 import { FRONT_VIEW } from './drawing.ts';
-import { between, fields, flag, list, number, oneOf, text, whole } from './fields.ts';
+import { between, fields, flag, list, number, oneOf, some, text, whole } from './fields.ts';
 import { LIMITS, RANGES, type Range } from './limits.ts';
 import { BACKGROUNDS, DEFAULT_LOOK, KERNEL_CHOICES, type Look, MODES, STYLES } from './look.ts';
 import { node } from './nodeSchema.ts';
@@ -145,7 +145,7 @@ const index = whole({ min: 0, max: LIMITS.nodes - 1 });
 /** A skeleton on the plane of strokes: circles, and which are linked. */
 export const skeleton = v.pipe(
   fields({
-    nodes: list(fields({ at: finitePlane, radius: number(RANGES.skeletonRadius) }), LIMITS.nodes, 'circles'),
+    nodes: some(fields({ at: finitePlane, radius: number(RANGES.skeletonRadius) }), LIMITS.nodes, 'circles'),
     links: v.optional(
       v.pipe(
         v.array(v.strictTuple([index, index], 'two indices of circles'), 'a list of links'),
@@ -165,12 +165,12 @@ const shapeFields = {
   depth: positive,
   section: oneOf(SECTIONS),
   exponent: number(RANGES.exponent),
-  profile: list(positive, LIMITS.profile, 'factors'),
+  profile: some(positive, LIMITS.profile, 'factors'),
   density: whole(RANGES.density),
   knots: v.nullable(list(number(RANGES.coordinate), LIMITS.nodes, 'knots')),
 };
 
-const shape = fields({
+export const shape = fields({
   weight: v.optional(shapeFields.weight, DEFAULT_SHAPE.weight),
   breadth: v.optional(shapeFields.breadth, DEFAULT_SHAPE.breadth),
   depth: v.optional(shapeFields.depth, DEFAULT_SHAPE.depth),
@@ -194,7 +194,7 @@ export const groupChange = fields({
   knots: v.exactOptional(shapeFields.knots),
 });
 
-const group = v.pipe(
+export const group = v.pipe(
   fields({
     ...named,
     form: oneOf(FORMS),
@@ -210,11 +210,11 @@ const group = v.pipe(
 const kernelName = oneOf(kernels.map(({ name: kernel }) => kernel));
 const threshold = number(RANGES.fieldThreshold);
 
-const sumOfGroups = fields({
+export const sumOfGroups = fields({
   ...named,
   kernel: v.optional(kernelName, DEFAULT_COMPONENT.kernel),
   threshold: v.optional(threshold, DEFAULT_COMPONENT.threshold),
-  groups: list(group, LIMITS.strokes, 'groups'),
+  groups: some(group, LIMITS.strokes, 'groups'),
 });
 
 /** Some of what can be set of a component. */
@@ -226,7 +226,7 @@ export const componentChange = fields({
 export const solidPart = fields({
   ...named,
   kind: v.literal('solid', '"solid"'),
-  components: list(sumOfGroups, LIMITS.strokes, 'components'),
+  components: some(sumOfGroups, LIMITS.strokes, 'components'),
   ...shown,
 });
 

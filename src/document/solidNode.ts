@@ -2,8 +2,8 @@
  * From the strokes of a solid to the tree of its field: a sum a component, and the union of those. All is cached by reference, and terms that
  * are the same before and after a change are the same objects, so that of an edited body only what changed is made anew.
  *
- * All groups of a component share one width of the kernel (fields of several widths would be several sums): the least that any of them likes where kernels
- * have no end, because far off all of those are the same power of the distance, and the largest where they have one, because they have to reach.
+ * Each group has the kernel's width that suits its limbs (silhouettes are fitted once, whatever they blend with), and the fields add up. Weights
+ * are made for the usual threshold: another one that a person sets makes all of a component thinner or thicker.
  */
 import type { AnySkel } from '../field/expand.ts';
 import type { FieldNode, SkelsNode, Term } from '../field/node.ts';
@@ -12,7 +12,6 @@ import { kernelNamed } from '../kernel/index.ts';
 import type { Kernel, KernelParams } from '../kernel/kernel.ts';
 import { cross3 } from '../math/tuple.ts';
 import type { Vec2 } from '../math/vec.ts';
-import { leastWidth } from '../skeleton/medial/silhouette.ts';
 import { hasRadii, weighted } from '../skeleton/radii.ts';
 import { FieldError } from '../skeleton/skeleton.ts';
 import type { Curve } from '../stroke/curve.ts';
@@ -39,7 +38,9 @@ export function nodeOf(part: BodyPart | SolidPart): FieldNode {
   return found;
 }
 
-const NOTHING: FieldNode = { type: 'skels', ...DEFAULT_COMPONENT, params: {}, skels: [] };
+/** A sum has to have a term; this one adds nothing. */
+const NONE: readonly Term[] = [{ skel: { type: 'point', at: [0, 0, 0], weight: 0 } }];
+const NOTHING: FieldNode = { type: 'skels', ...DEFAULT_COMPONENT, params: {}, skels: NONE };
 
 const FITTED = DEFAULT_COMPONENT.threshold;
 
@@ -49,22 +50,25 @@ function sumNode(component: Component): SkelsNode {
   const known = sums.get(component);
   if (known) return known;
   const { kernel, threshold } = component;
-  const sum = sumOf(component);
-  const skels = sum
-    ? component.groups.filter(({ hidden }) => !hidden).flatMap((group) => termsOf(group, sum))
-    : [];
-  const node: SkelsNode = { type: 'skels', kernel, params: sum?.params ?? {}, threshold, skels };
+  const skels = component.groups
+    .filter(({ hidden }) => !hidden)
+    .flatMap((group) => termsOf(group, component));
+  const node: SkelsNode = {
+    type: 'skels',
+    kernel,
+    params: {},
+    threshold,
+    skels: skels.length > 0 ? skels : NONE,
+  };
   sums.set(component, node);
   return node;
 }
 
-/** Kernel and width that the groups of a component share; null where nothing can be made of any. */
-export function sumOf({ kernel: name, groups }: Component): Sum | null {
+/** Kernel, width and threshold that the skels of a group are made for; null where nothing can be made of it. */
+function sumOf(group: Group, { kernel: name }: Pick<Component, 'kernel'>): Sum | null {
   const kernel = kernelNamed(name);
-  if (!kernel) return null;
-  const widths = groups.filter(({ hidden }) => !hidden).flatMap((group) => widthOfGroup(group, kernel) ?? []);
-  // Weights are made for the usual threshold: what a person sets then makes all of it thinner or thicker.
-  return widths.length > 0 ? { kernel, params: leastWidth(kernel, widths), threshold: FITTED } : null;
+  const params = kernel && widthOfGroup(group, kernel);
+  return kernel && params ? { kernel, params, threshold: FITTED } : null;
 }
 
 function widthOfGroup(group: Group, kernel: Kernel): KernelParams | null {
@@ -81,9 +85,12 @@ function widthOfGroup(group: Group, kernel: Kernel): KernelParams | null {
 
 const terms = new WeakMap<Group, { readonly shaped: Shaped; readonly terms: readonly Term[] }>();
 
-function termsOf(group: Group, sum: Sum): readonly Term[] {
-  const shaped = shapedOf(group, sum);
+function termsOf(group: Group, component: Component): readonly Term[] {
+  const sum = sumOf(group, component);
+  const shaped = sum && shapedFor(group, sum);
   if (!shaped) return [];
+  const { kernel } = sum;
+  const params = shaped.params ?? sum.params;
   const known = terms.get(group);
   if (known?.shaped === shaped) return known.terms;
   const { plane } = group.strokes[0]!;
@@ -91,7 +98,8 @@ function termsOf(group: Group, sum: Sum): readonly Term[] {
   const { weight } = group.shape;
   const made = shaped.skels.map(
     (skel: AnySkel): Term => ({
-      skel: onPlane(hasRadii(skel) ? weighted(skel, sum.kernel, sum.params, FITTED) : skel, plane),
+      skel: onPlane(hasRadii(skel) ? weighted(skel, kernel, params, FITTED) : skel, plane),
+      params,
       ...(weight !== 1 && { factor: weight }),
       ...(warp && { warp }),
       colour: linearRgb(group.brush.colour),
@@ -151,7 +159,12 @@ function keyOf(group: Group, rest: string): string {
 }
 
 /** Skeleton and skels of a group on its plane; null: nothing can be made of it. */
-export function shapedOf(group: Group, sum: Sum): Shaped | null {
+export function shapedOf(group: Group, component: Pick<Component, 'kernel'>): Shaped | null {
+  const sum = sumOf(group, component);
+  return sum && shapedFor(group, sum);
+}
+
+function shapedFor(group: Group, sum: Sum): Shaped | null {
   const ink = inkOf(group);
   if (!ink) return null;
   const kept = keptOf(group);
@@ -195,10 +208,4 @@ function tried<T>(make: () => T | null): T | null {
     if (!(error instanceof FieldError)) throw error;
     return null;
   }
-}
-
-/** Whether there is anything of it. */
-export function isEmpty(group: Group, of: Component): boolean {
-  const sum = sumOf(of);
-  return !sum || shapedOf(group, sum) === null;
 }

@@ -7,7 +7,7 @@ import { fact, formWord, joinWord, previewWords, shortName, startedOn } from './
 import { ball, type IconName, icon } from './icons.ts';
 import type { ChipSize, Size } from './place.ts';
 import type { Session } from './session.ts';
-import { FORMS, type FormWord, JOINS, type JoinWord, SOLID_WORDS, WORDS } from './words.ts';
+import { FORMS, type FormWord, JOINS, type JoinWord, SILHOUETTE_WORDS, WORDS } from './words.ts';
 
 const CLOSED: readonly FormWord[] = ['soft', 'plate', 'ring', 'carve', 'tube'];
 const OPEN: readonly FormWord[] = ['tube', 'line', 'curve'];
@@ -124,7 +124,7 @@ function forms(session: Session): TemplateResult | typeof nothing {
     chosen: word === now,
     run: () => choose(session, word),
   }));
-  return choices.length > 0 ? radios(SOLID_WORDS.forms, 'forms', choices) : nothing;
+  return choices.length > 0 ? radios(SILHOUETTE_WORDS.forms, 'forms', choices) : nothing;
 }
 
 function choose(session: Session, word: FormWord): void {
@@ -148,5 +148,5 @@ function joins(session: Session): TemplateResult | typeof nothing {
     chosen: word === now,
     run: () => session.run({ type: 'setForm', joins: to[word] }),
   }));
-  return choices.length > 0 ? radios(SOLID_WORDS.joins(start.solid.name), 'joins', choices) : nothing;
+  return choices.length > 0 ? radios(SILHOUETTE_WORDS.joins(start.solid.name), 'joins', choices) : nothing;
 }

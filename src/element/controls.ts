@@ -34,6 +34,8 @@ interface ButtonOptions {
   readonly class?: string;
   readonly body?: TemplateResult;
   readonly shortcut?: string;
+  /** more than its name says */
+  readonly hint?: string;
 }
 
 /** An icon with a name and, after a moment of hovering, a tooltip with the key. */
@@ -47,6 +49,7 @@ export function iconButton(
   return html`<button
     class="b ${options.class ?? ''}"
     aria-label=${name}
+    title=${options.hint ?? nothing}
     aria-disabled=${off ? 'true' : nothing}
     aria-pressed=${pressed === undefined ? nothing : String(pressed)}
     aria-expanded=${expanded === undefined ? nothing : String(expanded)}

@@ -2,7 +2,15 @@
 import { type Document, type Joins, readingOf, type SolidPart } from '../document/document.ts';
 import { formOf, joinedOf } from '../document/draftPart.ts';
 import type { Stroke } from '../stroke/stroke.ts';
-import { FORMS, type FormWord, type JoinWord, PART_WORDS, SOLID_WORDS, SURFACE, WORDS } from './words.ts';
+import {
+  FORMS,
+  type FormWord,
+  type JoinWord,
+  PART_WORDS,
+  SILHOUETTE_WORDS,
+  SURFACE,
+  WORDS,
+} from './words.ts';
 
 /** Chips say which of these it is; null: neither, as of two open strokes. */
 export function formWord(document: Document): FormWord | null {
@@ -30,10 +38,10 @@ export function previewWords(document: Document): string {
   const kind = readingOf(document);
   if (kind && kind !== 'solid') return WORDS.preview(kind);
   const joined = joinedOf(document)?.name ?? null;
-  if (joined && document.draft?.carves) return SOLID_WORDS.carving(joined);
-  const { joins, sitsOn } = SOLID_WORDS.previewOf;
+  if (joined && document.draft?.carves) return SILHOUETTE_WORDS.carving(joined);
+  const { joins, sitsOn } = SILHOUETTE_WORDS.previewOf;
   if (joined) return (document.draft?.joins?.component ? joins : sitsOn)(longName(document), joined);
-  return SOLID_WORDS.preview(longName(document));
+  return SILHOUETTE_WORDS.preview(longName(document));
 }
 
 /** When it was kept: `document` is the one before. */
@@ -43,8 +51,8 @@ export function keptWords(document: Document): string | null {
   const joined = joinedOf(document);
   if (joined)
     return document.draft?.carves
-      ? SOLID_WORDS.carved(joined.name)
-      : SOLID_WORDS.added(longName(document), joined.name);
+      ? SILHOUETTE_WORDS.carved(joined.name)
+      : SILHOUETTE_WORDS.added(longName(document), joined.name);
   const made = kind === 'tube' ? (document.draft?.strokes.length ?? 0) : 1;
   return WORDS.kept(longName(document), document.parts.length + made);
 }
@@ -56,14 +64,14 @@ export function fact(document: Document): string {
   const word = formWord(document);
   const joined = joinedOf(document)?.name;
   if (joined) {
-    const { carve, blend, attach } = SOLID_WORDS.joinsFact;
+    const { carve, blend, attach } = SILHOUETTE_WORDS.joinsFact;
     if (word === 'carve') return carve(joined);
     return draft?.joins?.component ? blend(joined) : attach(joined);
   }
   if (word === 'soft' || word === 'carve')
-    return strokes > 1 ? SOLID_WORDS.holes(strokes - 1) : PART_WORDS.strokes(strokes);
-  if (word === 'plate') return SOLID_WORDS.thick(2 * brush.radius);
-  if (word && strokes === 1) return SOLID_WORDS.radius(brush.radius);
+    return strokes > 1 ? SILHOUETTE_WORDS.holes(strokes - 1) : PART_WORDS.strokes(strokes);
+  if (word === 'plate') return SILHOUETTE_WORDS.thick(2 * brush.radius);
+  if (word && strokes === 1) return SILHOUETTE_WORDS.radius(brush.radius);
   return PART_WORDS.strokes(strokes);
 }
 

@@ -5,6 +5,7 @@ import { unsafeSVG } from 'lit/directives/unsafe-svg.js';
 import box from 'lucide-static/icons/box.svg?raw';
 import check from 'lucide-static/icons/check.svg?raw';
 import down from 'lucide-static/icons/chevron-down.svg?raw';
+import next from 'lucide-static/icons/chevron-right.svg?raw';
 import done from 'lucide-static/icons/circle-check.svg?raw';
 import undone from 'lucide-static/icons/circle-dashed.svg?raw';
 import help from 'lucide-static/icons/circle-question-mark.svg?raw';
@@ -20,12 +21,14 @@ import image from 'lucide-static/icons/image.svg?raw';
 import parts from 'lucide-static/icons/layers.svg?raw';
 import drawings from 'lucide-static/icons/layout-grid.svg?raw';
 import full from 'lucide-static/icons/maximize.svg?raw';
+import scale from 'lucide-static/icons/maximize-2.svg?raw';
 import select from 'lucide-static/icons/mouse-pointer-2.svg?raw';
 import move from 'lucide-static/icons/move.svg?raw';
 import draw from 'lucide-static/icons/pencil.svg?raw';
 import finger from 'lucide-static/icons/pointer.svg?raw';
 import redo from 'lucide-static/icons/redo-2.svg?raw';
 import home from 'lucide-static/icons/rotate-ccw.svg?raw';
+import turn from 'lucide-static/icons/rotate-cw.svg?raw';
 import save from 'lucide-static/icons/save.svg?raw';
 import saveAs from 'lucide-static/icons/save-all.svg?raw';
 import script from 'lucide-static/icons/scroll-text.svg?raw';
@@ -40,6 +43,10 @@ import x from 'lucide-static/icons/x.svg?raw';
 const inside = (text: string) => text.replace(/^[\s\S]*?<svg[^>]*>|<\/svg>\s*$/g, '');
 
 const OURS = {
+  component: '<circle cx="9.300" cy="10" r="4.300"/><circle cx="14.700" cy="14" r="4.300"/>',
+  mirror: '<path d="M12 20v2M12 14v2M12 8v2M12 2v2"/><path d="M9 7L3 17h6z"/><path d="M15 7l6 10h-6z"/>',
+  mirrorCopy:
+    '<path d="M12 20v2M12 14v2M12 8v2M12 2v2"/><path d="M9 7L3 17h6z"/><path d="M15 7l6 10h-6z" style="fill:currentColor"/>',
   attach:
     '<circle cx="8" cy="14" r="4.800"/><circle cx="16.800" cy="7.800" r="3.300"/><path d="M11.800 11.200l2.200-1.500"/>',
   tube: '<path d="M4 20.2a3 3 0 0 1-.9-5.2C8.4 10 11 15.300 15.900 6.300"/><path d="M21 9c-5.900 10.400-10.600 5.600-15.700 10.700"/><ellipse cx="18.450" cy="7.650" rx="2.900" ry="1.700" transform="rotate(28 18.450 7.650)"/>',
@@ -65,6 +72,9 @@ const OURS = {
 
 const LUCIDE = {
   duplicate,
+  turn,
+  scale,
+  next,
   eye,
   eyeOff,
   move,

@@ -3,7 +3,7 @@ import { html, nothing, type TemplateResult } from 'lit';
 import { readingOf } from '../document/document.ts';
 import { icon } from './icons.ts';
 import type { Session } from './session.ts';
-import { SOLID_WORDS } from './words.ts';
+import { SILHOUETTE_WORDS } from './words.ts';
 
 export function meter(session: Session): TemplateResult | typeof nothing {
   // while the pen closes an outline it already is what lifting would make it
@@ -21,10 +21,10 @@ function closedMeter(session: Session): TemplateResult {
     if (session.document.draft?.strokes[0]?.closed && !session.state.wet)
       session.run({ type: 'setForm', form });
   };
-  return html`<div class="meter card chrome" part="meter" role="group" aria-label=${SOLID_WORDS.meter}>
-    <button aria-current=${isSolid ? 'step' : nothing} @click=${isSolid ? nothing : to('soft')}>${icon('solid')}${SOLID_WORDS.closed}</button>
+  return html`<div class="meter card chrome" part="meter" role="group" aria-label=${SILHOUETTE_WORDS.meter}>
+    <button aria-current=${isSolid ? 'step' : nothing} @click=${isSolid ? nothing : to('soft')}>${icon('solid')}${SILHOUETTE_WORDS.closed}</button>
     <button aria-current=${isSolid ? nothing : 'step'} @click=${isSolid ? to('tube') : nothing} title="A tube along the outline; no stroke is lost">
-      ${icon('tube')}<span class="long">${SOLID_WORDS.open}</span><span class="short">${SOLID_WORDS.shortOpen}</span>
+      ${icon('tube')}<span class="long">${SILHOUETTE_WORDS.open}</span><span class="short">${SILHOUETTE_WORDS.shortOpen}</span>
     </button>
   </div>`;
 }

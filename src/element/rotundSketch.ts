@@ -10,6 +10,7 @@ import { actionsBar } from './actionsBar.ts';
 import { SketchApi } from './api.ts';
 import { chip, chipSize } from './chip.ts';
 import { chipLayout } from './chipLayout.ts';
+import { clipboard } from './clipboard.ts';
 import { notice, type PanelName, rail, status, topBar } from './controls.ts';
 import { dropVeil } from './dropVeil.ts';
 import { messageOf, renamed } from './events.ts';
@@ -103,6 +104,8 @@ export class RotundSketch extends SketchApi {
     watchSystem(() => this.#adapt(), signal);
     watchPixelRatio(() => this.#resize(), signal);
     this.addEventListener('keydown', (event) => this.#hands.key(event), { signal });
+    for (const type of ['copy', 'cut', 'paste'] as const)
+      this.addEventListener(type, (event) => this.readOnly || clipboard(event, this.session), { signal });
     for (const type of ['focusin', 'focusout'] as const)
       this.renderRoot.addEventListener(type, () => this.#noteFocus(), { signal });
     if (this.hasUpdated) this.#start();
@@ -358,7 +361,7 @@ export class RotundSketch extends SketchApi {
     this.drawInk();
     const { view, state, frames } = this.session;
     this.declared.sayReady();
-    const key = JSON.stringify([view, state.carried?.by, frames.triangles]);
+    const key = JSON.stringify([view, state.carried, frames.triangles]);
     if (key === this.#viewKey) return;
     this.#viewKey = key;
     this.requestUpdate();

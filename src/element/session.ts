@@ -6,6 +6,8 @@
 import { bodyMade } from '../document/bodies.ts';
 import { draftIsWhole, RESOLUTION } from '../document/build.ts';
 import { cellsOfBodies } from '../document/cells.ts';
+import { partsWith } from '../document/chosen.ts';
+import { itemsOf } from '../document/command/changeParts.ts';
 import type { Command } from '../document/command/index.ts';
 import { draftCrossings } from '../document/crossings.ts';
 import { type Brush, type Document, EMPTY_DOCUMENT, isImplicit, readingOf } from '../document/document.ts';
@@ -51,7 +53,7 @@ import type { Picked } from './picked.ts';
 import { Rays } from './rays.ts';
 import { spoken } from './speech.ts';
 import { Timing } from './timing.ts';
-import { SOLID_WORDS, SURFACE, WORDS } from './words.ts';
+import { SILHOUETTE_WORDS, SOLID_WORDS, SURFACE, WORDS } from './words.ts';
 
 export interface Notice {
   readonly text: string;
@@ -113,6 +115,8 @@ export class Session implements Bench, Viewport {
   #tuned: State | null = null;
   /** bodies whose problem was told */
   readonly #told = new WeakSet<FieldNode>();
+  /** that some rows could not be cast, since exact mode was switched on */
+  #toldRows = false;
   /** where one looked from when there last was a scene */
   #lastView: View = FRONT_VIEW;
   /** what is shown while a gesture is under way, by that */
@@ -137,6 +141,10 @@ export class Session implements Bench, Viewport {
   constructor(hooks: Hooks) {
     this.#hooks = hooks;
     this.frames = new Frames(this, () => hooks.drawn());
+    this.rays.onRefused = (why) => {
+      this.said = WORDS.raysRefused(why);
+      this.update();
+    };
   }
 
   get document(): Document {
@@ -270,8 +278,20 @@ export class Session implements Bench, Viewport {
 
   /** There is more to be seen of it, or to be said. */
   #exactNews(): void {
+    this.#sayExact();
     this.#hooks.changed();
     this.frames.wake();
+  }
+
+  /** Whoever heard that it is on its way hears once how that ended, unless something else was said since. */
+  #sayExact(): void {
+    if (this.exact.isInPart && !this.#toldRows) {
+      this.#toldRows = true;
+      this.said = WORDS.rowsLost;
+    }
+    if (this.said !== WORDS.onItsWay) return;
+    if (this.exact.problem !== null) this.said = WORDS.noExact(this.exact.problem);
+    else if (this.exact.evaluationsAPixel !== null) this.said = WORDS.mode.exact;
   }
 
   #isNewProblem(node: FieldNode): boolean {
@@ -331,23 +351,38 @@ export class Session implements Bench, Viewport {
 
   // ── selection and tools ─────────────────────────────────────────────────────────────────────────────
 
-  /** Ids that no part has are left out. */
+  /** Of parts, and of what solids are made of; ids that nothing has are left out. */
   select(ids: readonly string[]): void {
-    const known = this.document.parts.map(({ id }) => id).filter((id) => ids.includes(id));
+    const wanted = new Set(ids);
+    const known =
+      ids.length === 0
+        ? []
+        : itemsOf(this.document)
+            .map(({ id }) => id)
+            .filter((id) => wanted.has(id));
     const same = known.length === this.selection.length && known.every((id, i) => id === this.selection[i]);
     if (same) return;
     this.selection = known;
     this.frames.version++;
-    this.scene?.select(known);
+    this.#contour();
     this.update();
     this.#hooks.selected(known);
   }
 
+  /** Of a group the part is seen that it is in. */
+  #contour(): void {
+    this.scene?.select(partsWith(this.document, this.selection).map(({ id }) => id));
+  }
+
   /** Words for a selection a person made. */
   saySelection(): void {
-    const { parts } = this.document;
-    const names = parts.filter(({ id }) => this.selection.includes(id)).map(({ name }) => name);
-    this.said = WORDS.selected(names, parts.length);
+    const chosen = itemsOf(this.document).filter(({ id }) => this.selection.includes(id));
+    const names = chosen.map(({ name }) => name);
+    const [only] = partsWith(this.document, this.selection);
+    const isPart = names.length !== 1 || only?.id === this.selection[0];
+    this.said = isPart
+      ? WORDS.selected(names, this.document.parts.length)
+      : SOLID_WORDS.selectedIn(names[0]!, only!.name);
     this.update();
   }
 
@@ -377,10 +412,10 @@ export class Session implements Bench, Viewport {
     const marks = draftCrossings(this.document);
     if (marks.length === 0) return;
     const actions = [
-      { label: SOLID_WORDS.redraw, run: () => this.undo() },
-      { label: SOLID_WORDS.join, run: () => {} },
+      { label: SILHOUETTE_WORDS.redraw, run: () => this.undo() },
+      { label: SILHOUETTE_WORDS.join, run: () => {} },
     ];
-    this.notice = { text: SOLID_WORDS.crosses, passing: true, marks, actions };
+    this.notice = { text: SILHOUETTE_WORDS.crosses, passing: true, marks, actions };
   }
 
   keep(): void {
@@ -564,7 +599,9 @@ export class Session implements Bench, Viewport {
   }
 
   setMode(mode: Mode): void {
-    this.said = this.hasBodies ? WORDS.mode[mode] : WORDS.noBodies;
+    if (mode !== this.look.mode) this.#toldRows = false;
+    const words = mode === 'exact' && mode !== this.look.mode ? WORDS.onItsWay : WORDS.mode[mode];
+    this.said = this.hasBodies ? words : WORDS.noBodies;
     if (this.hasBodies) this.setLook({ mode });
     else this.update();
   }
@@ -601,12 +638,12 @@ export class Session implements Bench, Viewport {
     if (this.scene !== scene) this.scene?.dispose();
     this.scene = scene;
     // images lie on the device of the scene before
-    this.exact.rest();
+    this.exact.drop();
     this.rays.use(scene);
     this.frames.version++;
     scene.rig.setView(this.#lastView, false);
     scene.setLook(this.look);
-    scene.select(this.selection);
+    this.#contour();
     this.update();
   }
 
@@ -635,13 +672,15 @@ export class Session implements Bench, Viewport {
     return shown;
   }
 
-  /** What rays do, or did; null: triangles are seen. */
+  /** What rays do, or did; null: triangles are wanted, or there is no picture. */
   get #rays(): string | null {
     const { share, evaluationsAPixel, problem, milliseconds } = this.exact;
-    if (this.look.mode !== 'exact' || !this.hasBodies) return null;
+    if (this.look.mode !== 'exact' || !this.hasBodies || !this.scene) return null;
     if (problem !== null) return WORDS.notExact;
-    if (share !== null) return WORDS.casting(Math.round(100 * share));
-    return evaluationsAPixel === null ? null : WORDS.exact(evaluationsAPixel, milliseconds);
+    // also before it is begun, and while something moves
+    if (evaluationsAPixel === null) return WORDS.casting(Math.floor(100 * (share ?? 0)));
+    const words = WORDS.exact(evaluationsAPixel, milliseconds);
+    return this.exact.isInPart ? WORDS.inPart(words) : words;
   }
 
   /** Whether the picture is a mesh or exact, and of what; or what is being made. */

@@ -58,11 +58,17 @@ export const WORDS = {
   volumesHint: 'Around each skel all that it can be inside of, after Zhu et al. (M)',
   volumesSaid: (on: boolean) => (on ? 'Bounding volumes of the skels' : 'No bounding volumes'),
   noBodies: 'There is no implicit body in this drawing: all of it is triangles anyway.',
-  casting: (percent: number) => `casting rays, ${percent} %`,
+  /** at once, before anything of it is seen */
+  onItsWay: 'The exact surface of bodies is on its way',
+  casting: (percent: number) => `exact on its way · ${percent} %`,
   mesh: (triangles: number) => `mesh · ${thousands(triangles)} triangles`,
   exact: (evaluations: number, milliseconds: number) =>
     `exact · ${evaluations < 10 ? evaluations.toFixed(1) : Math.round(evaluations)} evaluations per pixel · ${seconds(milliseconds)}`,
+  raysRefused: (why: string) => `Processors or triangles stand in for rays: ${why}`,
+  inPart: (exact: string) => `${exact} · some rows triangles`,
+  rowsLost: 'Some rows of the picture could not be cast: bodies are triangles there',
   notExact: 'no rays here, triangles',
+  noExact: (why: string) => `There is no exact surface here, bodies stay triangles: ${why}`,
   style: (name: string) => `Style: ${name.toLowerCase()}`,
   tooShort: 'A dot is too short for a tube. Draw a longer line.',
   orPoint: 'A dot is too short for a tube. Make it a point?',
@@ -207,6 +213,8 @@ export const PART_WORDS = {
     y: 'Move along Y',
     z: 'Move along Z',
     surface: 'Slide over the surface',
+    turn: 'Turn about the line of sight',
+    scale: 'Make it larger or smaller',
   },
   action: {
     hide: 'Hide',
@@ -244,6 +252,9 @@ export const KEYS: readonly { readonly keys: string; readonly does: string }[] =
   { keys: 'Delete', does: 'Delete what is selected' },
   { keys: 'H', does: 'Hide or show what is selected' },
   { keys: 'Ctrl A', does: 'Select everything' },
+  { keys: 'Ctrl D', does: 'Duplicate what is selected' },
+  { keys: 'Shift M', does: 'Mirror what is selected' },
+  { keys: 'Ctrl C, Ctrl X, Ctrl V', does: 'Copy, cut, paste what is selected' },
   { keys: 'C', does: 'Delete the last part' },
   { keys: 'E', does: 'Delete everything' },
   { keys: 'Arrows', does: 'Turn the view' },
@@ -254,6 +265,60 @@ export const KEYS: readonly { readonly keys: string; readonly does: string }[] =
   { keys: 'Ctrl O', does: 'Open a file' },
   { keys: '?', does: 'This sheet' },
 ];
+
+/** Words of solids in the list, in their card and at their handles. */
+export const SOLID_WORDS = {
+  form: { soft: 'Soft', plate: 'Plate', ring: 'Ring', line: 'Line', curve: 'Curve', point: 'Point' },
+  selectedIn: (name: string, solid: string) => `${name} of ${solid} selected`,
+  component: (groups: number) => (groups === 1 ? '1 form blends here' : `${groups} forms blend`),
+  inside: (components: number, groups: number) =>
+    components > 1 ? `${components} components` : groups === 1 ? '1 form' : `${groups} forms`,
+  open: (name: string) => `Show what ${name} is made of`,
+  closed: (name: string) => `Hide what ${name} is made of`,
+  carves: 'carves',
+  byHand: 'edited skeleton',
+  dropOn: {
+    blend: (name: string) => `Blend with ${name}`,
+    attach: (name: string) => `Attach to ${name}`,
+    own: 'On its own',
+  },
+  nowhere: 'Drop on a form, a component or a solid',
+  what: 'What it becomes',
+  radius: { plate: 'Half thickness', other: 'Radius' },
+  weight: 'Weight',
+  weightHint: 'How much it counts in the sum; below 0 it carves.',
+  depth: 'Depth',
+  depthHint: 'Thickness off the plane it was drawn on (β of y)',
+  breadth: 'Breadth',
+  breadthHint: 'Width within the plane it was drawn on (β of x)',
+  section: 'Cross section',
+  sections: { round: 'Round', superQuadric: 'Super-quadric', extrusion: 'Extrusion' },
+  exponent: 'Corners',
+  exponentHint: '1 is a rhombus, 2 round, above it nears a box (α)',
+  kernel: 'Kernel',
+  kernelHint: 'How the influence of a skel fades; of all that blend in a component',
+  threshold: 'Threshold',
+  thresholdHint: 'Where the surface lies: lower is thicker, and blends from further off (T)',
+  join: 'Belongs to',
+  joinHint: 'Forms of one component blend; components of a solid touch without blending.',
+  joinNow: (component: string, solid: string) => (component ? `${component} of ${solid}` : solid),
+  newComponent: (solid: string) => `Attached to ${solid}`,
+  fit: (percent: string, atBound: number, ratio: string) =>
+    `Off its outline by ${percent} % at most · ${atBound} % of weights at a bound · neighbours 1 : ${ratio}`,
+  mirror: 'Mirror',
+  mirrorCopy: 'Mirror copy',
+  mirrorHint: (about: string | null) =>
+    about === null
+      ? 'Flips it where it is: nothing else is there, or it lies in the middle'
+      : `To the other side of the middle of ${about}, as you look at it`,
+  copied: (name: string) => `${name} copied`,
+  cut: (name: string) => `${name} cut. Undo brings it back`,
+  pasted: (name: string) => `${name} pasted`,
+  noPaste: 'There is nothing of a drawing to paste',
+  handle: { turn: 'Turn', scale: 'Scale' },
+  turnHint: 'Drag around, with Shift in steps of 15°; arrow keys 1°, with Shift 10°.',
+  scaleHint: 'Drag outward, with Shift in steps of 10 %; arrow keys 1 %, with Shift 10 %.',
+} as const;
 
 /** What strokes become in a solid: short on chips; in full; and what it is good for. */
 export const FORMS = {
@@ -277,7 +342,7 @@ export const JOINS = {
 export type JoinWord = keyof typeof JOINS;
 
 /** Words of silhouettes in the hand. */
-export const SOLID_WORDS = {
+export const SILHOUETTE_WORDS = {
   forms: 'What the strokes become',
   joins: (name: string) => `How it goes with ${name}`,
   joinsFact: {

@@ -200,11 +200,11 @@ describe('draw', () => {
       hand.draw(RING);
       hand.commit([{ type: 'keep' }]);
       const [body] = hand.document.parts;
-      hand.hit = { point: [0, 0, 20], normal: [0, 0, 1], id: body!.id, skel: { path: 'skels[0]' } };
+      hand.hit = { point: [0, 0, 20], normal: [0, 0, 1], id: body!.id, skel: { path: 'skels[0]', share: 1 } };
       hand.draw(ringAt(450, 300, 60));
       hand.commit([{ type: 'setForm', joins: { solid: body!.id, component: null } }, { type: 'keep' }]);
       expect(componentsOf(hand.document)).toEqual([1, 1]);
-      hand.hit = { ...hand.hit, skel: { path: 'parts[1].skels[2]' } };
+      hand.hit = { ...hand.hit, skel: { path: 'parts[1].skels[2]', share: 1 } };
       hand.draw(ringAt(500, 300, 40));
       hand.commit([{ type: 'keep' }]);
       expect(componentsOf(hand.document)).toEqual([1, 2]);

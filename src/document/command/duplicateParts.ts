@@ -5,6 +5,7 @@ import { type Document, isSolid, type Part, type SolidPart } from '../document.t
 import { type Group, withGroups } from '../solid.ts';
 import { itemsOf, nameOf } from './changeParts.ts';
 import type { CommandKind } from './index.ts';
+import { type Mirror, mirrorParts } from './mirrorParts.ts';
 import { moved } from './moveParts.ts';
 import { cut, LONGEST_NAME } from './renamePart.ts';
 
@@ -12,32 +13,41 @@ export interface Data {
   readonly ids: readonly string[];
   /** mm: where the copies lie, seen from the originals */
   readonly offset: Vec3;
+  /** what the copies are mirrored in, where they lie */
+  readonly mirror?: Mirror;
 }
 
 /** Copies parts, behind all others in the list; a copy shares the strokes of its original. */
 export const duplicateParts: CommandKind<'duplicateParts', Data> = {
   type: 'duplicateParts',
-  apply(document, { ids, offset }) {
-    const originals = partsOf(document, ids);
-    const freeName = namer(itemsOf(document));
-    const by: Placement = { rotation: [0, 0, 0, 1], translation: offset };
-    let { nextId } = document;
-    const next = (what: string) => `${what}-${nextId++}`;
-    const copies = originals.map((original): Part => {
-      const id = next('part');
-      const moved = compose(by, original.placement);
-      const placement = isInReach(moved.translation) ? moved : original.placement;
-      const copy = { ...original, id, name: freeName(original.name), placement };
-      return isSolid(copy) ? renumbered(copy, next) : copy;
-    });
-    const within = document.parts.map((part) =>
-      isSolid(part) ? withCopies(part, ids, by, next, freeName) : part,
-    );
-    const parts = [...within, ...copies];
-    return nextId === document.nextId ? document : { ...document, parts, nextId };
+  apply(document, { ids, offset, mirror }) {
+    const copied = withCopiesOf(document, ids, offset);
+    if (!mirror || copied === document) return copied;
+    return mirrorParts.apply(copied, { ids: copiesOf(document, ids), ...mirror });
   },
-  describe: (document, { ids }) => `${nameOf(document, ids)} duplicated`,
+  describe: (document, { ids, mirror }) =>
+    `${nameOf(document, ids)} ${mirror ? 'mirrored as a copy' : 'duplicated'}`,
 };
+
+function withCopiesOf(document: Document, ids: readonly string[], offset: Vec3): Document {
+  const originals = partsOf(document, ids);
+  const freeName = namer(itemsOf(document));
+  const by: Placement = { rotation: [0, 0, 0, 1], translation: offset };
+  let { nextId } = document;
+  const next = (what: string) => `${what}-${nextId++}`;
+  const copies = originals.map((original): Part => {
+    const id = next('part');
+    const moved = compose(by, original.placement);
+    const placement = isInReach(moved.translation) ? moved : original.placement;
+    const copy = { ...original, id, name: freeName(original.name), placement };
+    return isSolid(copy) ? renumbered(copy, next) : copy;
+  });
+  const within = document.parts.map((part) =>
+    isSolid(part) ? withCopies(part, ids, by, next, freeName) : part,
+  );
+  const parts = [...within, ...copies];
+  return nextId === document.nextId ? document : { ...document, parts, nextId };
+}
 
 /** What is in a copied solid has ids of its own, too. */
 export function renumbered(solid: SolidPart, next: (what: string) => string): SolidPart {
@@ -49,7 +59,7 @@ export function renumbered(solid: SolidPart, next: (what: string) => string): So
   return { ...solid, components };
 }
 
-/** Copies of groups stay in their component, and blend with it. */
+/** Copies of groups stay in their component, and blend with it; those of components stand beside the others. */
 function withCopies(
   solid: SolidPart,
   ids: readonly string[],
@@ -58,21 +68,29 @@ function withCopies(
   freeName: (name: string) => string,
 ): SolidPart {
   if (ids.includes(solid.id)) return solid;
-  return withGroups(solid, (group) => {
-    if (!ids.includes(group.id)) return [group];
-    const copy: Group = { ...moved(group, solid, by), id: next('group'), name: freeName(group.name) };
-    return [group, copy];
+  const copy = (group: Group): Group => ({
+    ...moved(group, solid, by),
+    id: next('group'),
+    name: freeName(group.name),
   });
+  const within = withGroups(solid, (group, of) =>
+    ids.includes(group.id) && !ids.includes(of.id) ? [group, copy(group)] : [group],
+  );
+  const copies = solid.components
+    .filter(({ id }) => ids.includes(id))
+    .map((of) => ({ ...of, id: next('component'), name: freeName(of.name), groups: of.groups.map(copy) }));
+  return copies.length > 0 ? { ...within, components: [...within.components, ...copies] } : within;
 }
 
 /** Ids of the copies, in the document's order. */
 export function copiesOf(document: Document, ids: readonly string[]): string[] {
   const before = new Set(itemsOf(document).map(({ id }) => id));
-  const after = duplicateParts.apply(document, { ids, offset: [0, 0, 0] });
-  const wanted = (id: string) => id.startsWith('part-') || !partsOf(document, ids).length;
-  return itemsOf(after)
-    .map(({ id }) => id)
-    .filter((id) => !before.has(id) && wanted(id));
+  const fresh = ({ id }: { readonly id: string }) => !before.has(id);
+  return withCopiesOf(document, ids, [0, 0, 0]).parts.flatMap((part) => {
+    if (fresh(part)) return [part.id];
+    if (!isSolid(part)) return [];
+    return part.components.flatMap((of) => (fresh(of) ? [of] : of.groups.filter(fresh)).map(({ id }) => id));
+  });
 }
 
 function partsOf({ parts }: Document, ids: readonly string[]): readonly Part[] {

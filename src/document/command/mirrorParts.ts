@@ -9,16 +9,14 @@ import { type Group, withGroups } from '../solid.ts';
 import { changeParts, nameOf } from './changeParts.ts';
 import type { CommandKind } from './index.ts';
 
-export interface Data {
-  readonly ids: readonly string[];
-  /** the mirror: a point of it, mm, and its unit normal */
+export interface Mirror {
+  /** a point of it, mm, and its unit normal */
   readonly about: Vec3;
   readonly normal: Vec3;
 }
 
-interface Mirror {
-  readonly about: Vec3;
-  readonly normal: Vec3;
+export interface Data extends Mirror {
+  readonly ids: readonly string[];
 }
 
 /** Parts and groups as a mirror shows them. Strokes stay what was drawn; the axes of their planes are mirrored. */

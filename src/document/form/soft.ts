@@ -1,10 +1,10 @@
 /** A soft body: a surface that goes through the outline (docs/silhouettes.md). What crosses itself is the outline of what it goes round. */
 import { untangle } from '../../math/untangle.ts';
 import type { Vec2 } from '../../math/vec.ts';
-import type { MedialGraph } from '../../skeleton/medial/axis.ts';
 import { skeletonSkels } from '../../skeleton/medial/edited.ts';
 import type { Loop } from '../../skeleton/medial/outline.ts';
-import { silhouetteOf, widthOf } from '../../skeleton/medial/silhouette.ts';
+import { silhouetteOf } from '../../skeleton/medial/silhouette.ts';
+import { widthOf } from '../../skeleton/medial/width.ts';
 import type { Curve } from '../../stroke/curve.ts';
 import { type FormKind, type Ink, PLAIN } from './form.ts';
 
@@ -13,19 +13,16 @@ const PLACES = 240;
 const ROUGH = 80;
 
 export const soft: FormKind = {
-  width(ink, kernel) {
-    const about: readonly Loop[] | MedialGraph = ink.skeleton ?? loopsOf(ink);
-    return widthOf(about, kernel, PLAIN);
-  },
-  make(ink, { kernel, params, threshold }) {
+  // found together with the skels
+  width: () => PLAIN,
+  make(ink, { kernel, threshold }) {
     const { skeleton } = ink;
-    const options = { width: 'given', quick: ink.isRough } as const;
     const found = skeleton
-      ? skeletonSkels(skeleton, kernel, params, threshold, options)
-      : silhouetteOf(loopsOf(ink), kernel, params, threshold, options);
+      ? skeletonSkels(skeleton, kernel, widthOf([skeleton], kernel, PLAIN), threshold)
+      : silhouetteOf(loopsOf(ink), kernel, PLAIN, threshold, { quick: ink.isRough });
     if (!found) return null;
-    const { graph, skels, most, atBound, ratio } = found;
-    return { skeleton: skeleton ?? graph, skels, figures: { most, atBound, ratio } };
+    const { graph, skels, params, most, atBound, ratio } = found;
+    return { skeleton: skeleton ?? graph, skels, params, figures: { most, atBound, ratio } };
   },
 };
 
