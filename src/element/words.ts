@@ -355,7 +355,11 @@ export const SILHOUETTE_WORDS = {
   holes: (count: number) => (count === 1 ? '1 hole' : `${count} holes`),
   radius: (mm: number) => `${mm} mm radius`,
   thick: (mm: number) => `${mm} mm thick`,
-  preview: (long: string, joined: string | null) => `${long}, preview${joined ? `. Joins ${joined}` : ''}`,
+  preview: (long: string) => `${long}, preview`,
+  previewOf: {
+    joins: (long: string, joined: string) => `${long}, preview. Joins ${joined}`,
+    sitsOn: (long: string, joined: string) => `${long}, preview. Sits on ${joined}`,
+  },
   carving: (joined: string) => `Carving, preview. Takes away from ${joined}`,
   added: (long: string, joined: string) => `${long} added to ${joined}`,
   carved: (joined: string) => `${joined} carved`,
