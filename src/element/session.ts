@@ -115,6 +115,8 @@ export class Session implements Bench, Viewport {
   #tuned: State | null = null;
   /** bodies whose problem was told */
   readonly #told = new WeakSet<FieldNode>();
+  /** that some rows could not be cast, since exact mode was switched on */
+  #toldRows = false;
   /** where one looked from when there last was a scene */
   #lastView: View = FRONT_VIEW;
   /** what is shown while a gesture is under way, by that */
@@ -139,6 +141,10 @@ export class Session implements Bench, Viewport {
   constructor(hooks: Hooks) {
     this.#hooks = hooks;
     this.frames = new Frames(this, () => hooks.drawn());
+    this.rays.onRefused = (why) => {
+      this.said = WORDS.raysRefused(why);
+      this.update();
+    };
   }
 
   get document(): Document {
@@ -272,8 +278,20 @@ export class Session implements Bench, Viewport {
 
   /** There is more to be seen of it, or to be said. */
   #exactNews(): void {
+    this.#sayExact();
     this.#hooks.changed();
     this.frames.wake();
+  }
+
+  /** Whoever heard that it is on its way hears once how that ended, unless something else was said since. */
+  #sayExact(): void {
+    if (this.exact.isInPart && !this.#toldRows) {
+      this.#toldRows = true;
+      this.said = WORDS.rowsLost;
+    }
+    if (this.said !== WORDS.onItsWay) return;
+    if (this.exact.problem !== null) this.said = WORDS.noExact(this.exact.problem);
+    else if (this.exact.evaluationsAPixel !== null) this.said = WORDS.mode.exact;
   }
 
   #isNewProblem(node: FieldNode): boolean {
@@ -581,7 +599,9 @@ export class Session implements Bench, Viewport {
   }
 
   setMode(mode: Mode): void {
-    this.said = this.hasBodies ? WORDS.mode[mode] : WORDS.noBodies;
+    if (mode !== this.look.mode) this.#toldRows = false;
+    const words = mode === 'exact' && mode !== this.look.mode ? WORDS.onItsWay : WORDS.mode[mode];
+    this.said = this.hasBodies ? words : WORDS.noBodies;
     if (this.hasBodies) this.setLook({ mode });
     else this.update();
   }
@@ -618,7 +638,7 @@ export class Session implements Bench, Viewport {
     if (this.scene !== scene) this.scene?.dispose();
     this.scene = scene;
     // images lie on the device of the scene before
-    this.exact.rest();
+    this.exact.drop();
     this.rays.use(scene);
     this.frames.version++;
     scene.rig.setView(this.#lastView, false);
@@ -652,13 +672,15 @@ export class Session implements Bench, Viewport {
     return shown;
   }
 
-  /** What rays do, or did; null: triangles are seen. */
+  /** What rays do, or did; null: triangles are wanted, or there is no picture. */
   get #rays(): string | null {
     const { share, evaluationsAPixel, problem, milliseconds } = this.exact;
-    if (this.look.mode !== 'exact' || !this.hasBodies) return null;
+    if (this.look.mode !== 'exact' || !this.hasBodies || !this.scene) return null;
     if (problem !== null) return WORDS.notExact;
-    if (share !== null) return WORDS.casting(Math.round(100 * share));
-    return evaluationsAPixel === null ? null : WORDS.exact(evaluationsAPixel, milliseconds);
+    // also before it is begun, and while something moves
+    if (evaluationsAPixel === null) return WORDS.casting(Math.floor(100 * (share ?? 0)));
+    const words = WORDS.exact(evaluationsAPixel, milliseconds);
+    return this.exact.isInPart ? WORDS.inPart(words) : words;
   }
 
   /** Whether the picture is a mesh or exact, and of what; or what is being made. */

@@ -58,11 +58,17 @@ export const WORDS = {
   volumesHint: 'Around each skel all that it can be inside of, after Zhu et al. (M)',
   volumesSaid: (on: boolean) => (on ? 'Bounding volumes of the skels' : 'No bounding volumes'),
   noBodies: 'There is no implicit body in this drawing: all of it is triangles anyway.',
-  casting: (percent: number) => `casting rays, ${percent} %`,
+  /** at once, before anything of it is seen */
+  onItsWay: 'The exact surface of bodies is on its way',
+  casting: (percent: number) => `exact on its way · ${percent} %`,
   mesh: (triangles: number) => `mesh · ${thousands(triangles)} triangles`,
   exact: (evaluations: number, milliseconds: number) =>
     `exact · ${evaluations < 10 ? evaluations.toFixed(1) : Math.round(evaluations)} evaluations per pixel · ${seconds(milliseconds)}`,
+  raysRefused: (why: string) => `Processors or triangles stand in for rays: ${why}`,
+  inPart: (exact: string) => `${exact} · some rows triangles`,
+  rowsLost: 'Some rows of the picture could not be cast: bodies are triangles there',
   notExact: 'no rays here, triangles',
+  noExact: (why: string) => `There is no exact surface here, bodies stay triangles: ${why}`,
   style: (name: string) => `Style: ${name.toLowerCase()}`,
   tooShort: 'A dot is too short for a tube. Draw a longer line.',
   orPoint: 'A dot is too short for a tube. Make it a point?',
