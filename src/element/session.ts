@@ -22,6 +22,7 @@ import {
 import { type Background, DEFAULT_LOOK, type Look, type Mode, type Style } from '../document/look.ts';
 import { GROWING, isTooLarge } from '../document/size.ts';
 import type { FieldNode } from '../field/node.ts';
+import type { RayCamera } from '../field/rayImage.ts';
 // Only the pure parts of the scene at once: three.js is fetched when there is a page to draw on.
 import type { Scene } from '../scene/index.ts';
 import { AIR, type Margins } from '../scene/view.ts';
@@ -37,7 +38,7 @@ import { CameraMoves } from './cameraMoves.ts';
 import { draftProblem } from './draftProblem.ts';
 import type { Cause } from './events.ts';
 import { Exact } from './exact.ts';
-import { pickedOn } from './exactPick.ts';
+import { isCastable, pickedAmong, pickedOn } from './exactPick.ts';
 import { type Flaw, flawsIn } from './flaws.ts';
 import { Frames } from './frames.ts';
 import type { NoPicture } from './noPicture.ts';
@@ -128,12 +129,20 @@ export class Session implements Bench, Viewport {
   }
 
   /** On bodies their surface itself, whatever is seen of them: strokes that start there stay, meshes do not. */
-  pick(x: number, y: number, except?: readonly string[]): Picked | null {
-    const hit = this.scene?.pick(x, y, except) ?? null;
+  pick(x: number, y: number, except: readonly string[] = []): Picked | null {
+    const rays = this.look.mode === 'exact' ? this.document.parts.filter(isBody).filter(isCastable) : [];
+    const bodies = rays.filter(({ id, hidden }) => !hidden && !except.includes(id));
+    const hit = this.scene?.pick(x, y, [...except, ...bodies.map(({ id }) => id)]) ?? null;
+    if (bodies.length > 0) return this.scene && pickedAmong(bodies, hit, this.#camera, [x, y]);
     if (!hit) return null;
     const part = this.document.parts.filter(isBody).find(({ id }) => id === hit.id);
     const made = part && bodyMade(part.node);
     return made ? pickedOn(hit, part, rayAt(this.view, this.size, x, y), made) : { ...hit, skel: null };
+  }
+
+  /** For rays through places in CSS pixels. */
+  get #camera(): RayCamera {
+    return { view: this.view, ...this.size, offset: [0, 0] };
   }
 
   focus(ids: readonly string[]): void {
