@@ -9,7 +9,8 @@
  * one of several bodies moves: which pixels another body's shape or its absence leaves alone was not worth the care.
  */
 import { cellsMade } from '../document/bodies.ts';
-import { type Document, isBody } from '../document/document.ts';
+import type { Document } from '../document/document.ts';
+import { bodiesOf } from '../document/fieldParts.ts';
 import type { RayCamera } from '../field/rayImage.ts';
 import type { Scene, SurfaceImage } from '../scene/index.ts';
 import type { View } from '../stroke/stroke.ts';
@@ -268,9 +269,8 @@ export class Exact {
 }
 
 /** Those of a document that are seen, with lattices as those of their meshes. */
-export const shownBodies = ({ parts }: Document): readonly ShownBody[] =>
-  parts
-    .filter(isBody)
+export const shownBodies = (document: Document): readonly ShownBody[] =>
+  bodiesOf(document)
     .filter(({ hidden }) => !hidden)
     .map(({ id, node, placement }) => ({ id, node, placement, cells: cellsMade(node) }));
 

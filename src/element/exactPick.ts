@@ -3,7 +3,9 @@
  * cell away from it, moved along the ray; where the surface itself is seen a ray of its own is cast, so that what triangles miss can be picked, too.
  */
 import { type Body, CELLS } from '../document/bodies.ts';
-import type { BodyPart } from '../document/document.ts';
+import type { BodyPart, SolidPart } from '../document/document.ts';
+import type { NamedNode } from '../document/fieldParts.ts';
+import { nodeOf } from '../document/solidNode.ts';
 import { bindField } from '../field/bind.ts';
 import type { FieldNode } from '../field/node.ts';
 import { rayAlone } from '../field/rayAlone.ts';
@@ -42,10 +44,12 @@ const bound = new WeakMap<FieldNode, TreeField>();
 /** The place of the triangles where the surface is not within reach, as beside an outline. */
 export function pickedOn(
   hit: Hit,
-  { node, placement }: BodyPart,
+  part: BodyPart | SolidPart,
   ray: Ray,
   made: Pick<Body, 'mesh' | 'cells'>,
 ): Picked {
+  const { placement } = part;
+  const node = nodeOf(part);
   const { rotation, translation } = placement;
   const near = unrotate3(rotation, sub3(hit.point, translation));
   const found = onSurface(fieldOf(node), near, unrotate3(rotation, ray.direction), cellOf(made));
@@ -60,14 +64,14 @@ export function pickedOn(
 }
 
 /** Whether rays can be cast at it one by one. */
-export const isCastable = ({ node }: BodyPart): boolean => casterOf(node) !== null;
+export const isCastable = ({ node }: Pick<NamedNode, 'node'>): boolean => casterOf(node) !== null;
 
 /**
  * The nearest that a ray through a place of the picture meets, of bodies themselves and of `other`, which is a hit of something else. What is thinner
  * than a pixel is met within half a one.
  */
 export function pickedAmong(
-  bodies: readonly BodyPart[],
+  bodies: readonly Pick<NamedNode, 'id' | 'node' | 'placement'>[],
   other: Hit | null,
   camera: RayCamera,
   [x, y]: readonly [x: number, y: number],

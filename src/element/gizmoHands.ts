@@ -54,7 +54,16 @@ function penOf(event: PointerEvent, frame: Element): Pen {
   const box = frame.getBoundingClientRect();
   const { pointerType, pressure, tiltX, tiltY, timeStamp: time } = event;
   const pointer = pointerType === 'pen' || pointerType === 'touch' ? pointerType : 'mouse';
-  return { x: event.clientX - box.left, y: event.clientY - box.top, pressure, tiltX, tiltY, time, pointer };
+  return {
+    x: event.clientX - box.left,
+    y: event.clientY - box.top,
+    pressure,
+    tiltX,
+    tiltY,
+    time,
+    pointer,
+    adds: event.shiftKey,
+  };
 }
 
 interface Held {

@@ -1,6 +1,13 @@
 /** Hot keys: the thesis' own where it has one, and what drawing programs share. They answer only while the element has focus. */
 import { dragOf, keyOf } from './lookKeys.ts';
-import { hideSelection, removeSelection, selectAll } from './partDeeds.ts';
+import {
+  duplicateSelection,
+  hideSelection,
+  letGoOf,
+  mirrorSelection,
+  removeSelection,
+  selectAll,
+} from './partDeeds.ts';
 import type { Session } from './session.ts';
 import { type ShownStyle, STYLE_NAMES } from './words.ts';
 
@@ -28,6 +35,7 @@ export function press(event: KeyboardEvent, session: Session, actions: KeyAction
   if (command && key === 's' && !actions.readOnly) return done(actions.save(event.shiftKey));
   if (command && key === 'o' && !actions.readOnly) return done(actions.openFile());
   if (command && key === 'a' && !actions.readOnly) return done(selectAll(session));
+  if (command && key === 'd' && !actions.readOnly) return duplicateSelection(session);
   if (command || event.altKey) return false;
   if (key in STYLES_BY_KEY) return done(chooseStyle(session, STYLES_BY_KEY[key]!));
   if (actions.readOnly && key === 'Escape') return done(actions.close());
@@ -63,6 +71,8 @@ function drawing(key: string, shift: boolean, session: Session, actions: KeyActi
       return done(actions.close());
     case 'v':
       return done(session.setTool('select'));
+    case 'm':
+      return shift && mirrorSelection(session);
     case 'h':
       return hideSelection(session);
     case 'Delete':
@@ -74,16 +84,12 @@ function drawing(key: string, shift: boolean, session: Session, actions: KeyActi
 }
 
 /**
- * Escape takes back what is most in the hand: the gesture under way, what the Select tool holds, the unfinished form;
+ * Escape takes back what is most in the hand: the gesture under way, what the Select tool holds (from a group up to its part), the unfinished form;
  * then the panel closes.
  */
 function back(session: Session, actions: KeyActions): void {
   if (session.cancel()) return;
-  if (session.selection.length > 0) {
-    session.select([]);
-    session.saySelection();
-    return;
-  }
+  if (letGoOf(session)) return;
   if (session.document.draft) session.drop();
   else actions.close();
 }

@@ -9,7 +9,7 @@ import { exportPanel } from './exportPanel.ts';
 import { filePanel } from './filePanel.ts';
 import { type IconName, icon } from './icons.ts';
 import { frame, toggle } from './panelFrame.ts';
-import { chosenParts, partColours } from './partCard.ts';
+import { partColours } from './partCard.ts';
 import { partsPanel } from './partsPanel.ts';
 import type { Session } from './session.ts';
 import { KEYS, WORDS } from './words.ts';
@@ -97,7 +97,7 @@ function stroke(session: Session): TemplateResult {
 
 /** Of the selected parts, or else of what is being drawn. */
 function palette(session: Session, actions: Actions): TemplateResult {
-  if (session.tool === 'select' && chosenParts(session).length > 0)
+  if (session.tool === 'select' && session.selection.length > 0)
     return frame('Colour', 'palette', actions, html`<section>${partColours(session)}</section>`);
   const { colour } = session.document.brush;
   const set = (value: string) => session.setBrush({ colour: value });

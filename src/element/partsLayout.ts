@@ -15,6 +15,8 @@ export const partsLayout = css`
   .gizmo .shaft { stroke: currentColor; stroke-width: 3; }
   .gizmo .shaft.surface { stroke: var(--edge); stroke-width: 2; stroke-dasharray: 1 6; }
   .gizmo .halo:has(+ .surface) { stroke: none; }
+  .gizmo .ring-halo { fill: none; stroke: var(--surface); stroke-width: 5; }
+  .gizmo .ring { fill: none; stroke: var(--edge); stroke-width: 1.75; }
   .gizmo .x { color: var(--axis-x); }
   .gizmo .y { color: var(--axis-y); }
   .gizmo .z { color: var(--axis-z); }
@@ -25,7 +27,7 @@ export const partsLayout = css`
   .handle:is(.x, .y, .z) > span { -webkit-text-fill-color: var(--surface); }
   .handle.view { border-radius: 0.875rem; }
   .handle.view > span { width: 2.875rem; height: 2.875rem; border-radius: 0.875rem; background: var(--axis-view); color: var(--on-axis-view); }
-  .handle.surface > span { width: 2.75rem; height: 2.75rem; background: var(--surface); color: var(--ink); border: 2px solid var(--edge); }
+  .handle:is(.surface, .turn, .scale) > span { width: 2.75rem; height: 2.75rem; background: var(--surface); color: var(--ink); border: 2px solid var(--edge); }
   .handle:hover > span { filter: brightness(1.08); }
 
   /* actions */
@@ -39,11 +41,20 @@ export const partsLayout = css`
 
   /* list and card */
   .panel.parts { display: flex; flex-direction: column; }
-  .part-list { overflow-y: auto; overscroll-behavior: contain; flex: none; max-height: max(9.75rem, 100cqh - 41rem); }
+  .part-list { overflow-y: auto; overscroll-behavior: contain; flex: none; max-height: max(9.75rem, 42cqh); }
   .part { display: flex; align-items: center; height: 3rem; border-radius: 0.75rem; padding-left: 0.5rem; cursor: pointer; }
   .part:hover { background: var(--sunken); }
   .part-list:focus-visible { outline: none; }
   .part-list:focus-visible .active { outline: 3px solid var(--pencil); outline-offset: -3px; }
+  .part .what.indented { padding-left: calc(1.25rem * var(--level) + 1.5rem); position: relative; }
+  .part .twist { position: absolute; left: calc(1.25rem * var(--level) - 0.625rem); top: 50%; width: 2.75rem; height: 2.75rem; margin-top: -1.375rem; display: grid; place-items: center; border-radius: 0.75rem; }
+  .part-list.dragging { cursor: grabbing; }
+  .part-list.dragging .part { cursor: inherit; }
+  .part[data-drop='on'] { box-shadow: inset 0 0 0 2px var(--pencil); background: var(--pencil-soft); }
+  .part[data-drop='before'] { box-shadow: inset 0 3px 0 -1px var(--pencil); }
+  .part[data-drop='after'] { box-shadow: inset 0 -3px 0 -1px var(--pencil); }
+  .drag-tag, .value-tag { position: absolute; pointer-events: none; white-space: nowrap; padding: 0.25rem 0.625rem; border-radius: 1rem; background: var(--active); color: var(--on-active); font: 600 0.8125rem/1.125rem var(--font); box-shadow: var(--e2); z-index: 1; }
+  .value-tag { transform: translate(1.75rem, -50%); font-variant-numeric: tabular-nums; }
   .part .what { flex: 1; min-width: 0; display: flex; align-items: center; gap: 0.625rem; }
   .part .what > span { min-width: 0; }
   .part b, .part small { display: block; overflow: hidden; text-overflow: ellipsis; white-space: nowrap; }
@@ -60,6 +71,10 @@ export const partsLayout = css`
   .quiet-words { padding: 0.5rem; color: var(--ink-2); font-size: 0.8125rem; line-height: 1.125rem; }
   .name-field { display: flex; align-items: center; gap: 0.75rem; padding: 0 0.5rem; font: 600 0.8125rem/1.125rem var(--font); color: var(--ink-2); }
   .name-field input { flex: 1; min-width: 0; height: 2.75rem; padding: 0 0.75rem; border: 1.5px solid var(--edge); border-radius: 0.75rem; background: var(--surface); color: var(--ink); font: 600 0.9375rem/1.3125rem var(--font); user-select: text; -webkit-user-select: text; }
+  .choice { min-width: 0; max-width: 11rem; height: 2.75rem; padding: 0 0.5rem; border: 1.5px solid var(--edge); border-radius: 0.75rem; background: var(--surface); color: var(--ink); font: 600 0.875rem/1.25rem var(--font); text-overflow: ellipsis; }
+  .panel label.row:has(.choice) { margin-top: 0.5rem; }
+  .panel label.row:has(.choice) > span { font: 600 0.8125rem/1.125rem var(--font); color: var(--ink-2); }
+  .segment.forms button { display: flex; flex-direction: column; align-items: center; justify-content: center; gap: 0.125rem; min-height: 3.25rem; font-size: 0.75rem; line-height: 1rem; }
 
   .chip { width: max-content; }
   .chip .what.problem { display: flex; gap: 0.5rem; align-items: center; }

@@ -1,12 +1,13 @@
 /** What the status line says of a command; `document` is the one before it. Null: nothing worth saying. */
 import { type Command, describe } from '../document/command/index.ts';
-import { type Document, readingOf } from '../document/document.ts';
+import type { Document } from '../document/document.ts';
+import { keptWords } from './draftWords.ts';
 import { WORDS } from './words.ts';
 
 export function spoken(document: Document, command: Command): string | null {
   switch (command.type) {
     case 'keep':
-      return kept(document);
+      return keptWords(document);
     case 'drop':
       return WORDS.dropped;
     case 'removeLast':
@@ -22,6 +23,7 @@ export function spoken(document: Document, command: Command): string | null {
     case 'removeParts':
       return deleted(document, names(document, command.ids));
     case 'addStroke':
+    case 'setForm':
     case 'setTubesOnly':
       return null;
     case 'renamePart':
@@ -35,13 +37,6 @@ export function spoken(document: Document, command: Command): string | null {
     default:
       return WORDS.changed(describe(document, command));
   }
-}
-
-function kept(document: Document): string | null {
-  const kind = readingOf(document);
-  if (!kind) return null;
-  const made = kind === 'tube' ? (document.draft?.strokes.length ?? 0) : 1;
-  return WORDS.kept(kind, document.parts.length + made);
 }
 
 const names = (document: Document, ids: readonly string[]) =>

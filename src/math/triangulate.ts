@@ -25,6 +25,8 @@ export type Edge = readonly [number, number];
 
 /** share of the box's longer side: points nearer are one */
 const WELD = 1e-6;
+/** more than the box has grid lines */
+const ROW = 2097152;
 /** twice the area over the square of the longest side */
 const SLIVER = 1e-9;
 
@@ -35,23 +37,30 @@ export function triangulate(loops: readonly Loop[]): Triangulation {
   const delaunay = constrained(points, edges);
   const all = delaunay ?? ears(points, rings);
   const triangles = insideOf(all, points, edges);
-  return { points, triangles, across: neighbours(triangles, edges), isDelaunay: delaunay !== null };
+  return {
+    points,
+    triangles,
+    across: neighbours(triangles, edges, points.length),
+    isDelaunay: delaunay !== null,
+  };
 }
 
 /** Loops as indices of different points; those that vanish are left out. */
 export function welded(loops: readonly Loop[]): { points: Vec2[]; rings: number[][] } {
-  const flat = loops.flat();
-  const span = (axis: 0 | 1) => {
-    const values = flat.map((p) => p[axis]);
-    return (
-      values.reduce((a, b) => Math.max(a, b), -Infinity) - values.reduce((a, b) => Math.min(a, b), Infinity)
-    );
-  };
-  const grid = WELD * Math.max(span(0), span(1)) || 1;
-  const known = new Map<string, number>();
+  let [left, right, low, high] = [Infinity, -Infinity, Infinity, -Infinity];
+  for (const loop of loops) {
+    for (const [x, y] of loop) {
+      left = Math.min(left, x);
+      right = Math.max(right, x);
+      low = Math.min(low, y);
+      high = Math.max(high, y);
+    }
+  }
+  const grid = WELD * Math.max(right - left, high - low) || 1;
+  const known = new Map<number, number>();
   const points: Vec2[] = [];
   const indexOf = (p: Vec2): number => {
-    const key = `${Math.round(p[0] / grid)} ${Math.round(p[1] / grid)}`;
+    const key = Math.round((p[0] - left) / grid) * ROW + Math.round((p[1] - low) / grid);
     const index = known.get(key) ?? points.push(p) - 1;
     known.set(key, index);
     return index;
@@ -89,14 +98,15 @@ function ears(points: readonly Vec2[], rings: readonly (readonly number[])[]): U
 
 /** Those whose middle is inside an odd number of loops, counter-clockwise. */
 function insideOf(triangles: Uint32Array, points: readonly Vec2[], edges: readonly Edge[]): Uint32Array {
+  const ends = Float64Array.from(edges.flatMap(([i, j]) => [...points[i]!, ...points[j]!]));
   const kept: number[] = [];
   for (let t = 0; t < triangles.length; t += 3) {
     const [i, j, k] = [triangles[t]!, triangles[t + 1]!, triangles[t + 2]!];
     const [a, b, c] = [points[i]!, points[j]!, points[k]!];
     const area = cross2(sub2(b, a), sub2(c, a));
-    const middle: Vec2 = [(a[0] + b[0] + c[0]) / 3, (a[1] + b[1] + c[1]) / 3];
-    if (isSliver(a, b, c) || !isInside(middle, points, edges)) continue;
-    kept.push(...(area > 0 ? [i, j, k] : [i, k, j]));
+    if (isSliver(a, b, c) || !isInside((a[0] + b[0] + c[0]) / 3, (a[1] + b[1] + c[1]) / 3, ends)) continue;
+    if (area > 0) kept.push(i, j, k);
+    else kept.push(i, k, j);
   }
   return Uint32Array.from(kept);
 }
@@ -107,21 +117,22 @@ export function isSliver(a: Vec2, b: Vec2, c: Vec2): boolean {
   return Math.abs(cross2(p, q)) < SLIVER * Math.max(dot2(p, p), dot2(q, q), dot2(r, r));
 }
 
-function isInside([x, y]: Vec2, points: readonly Vec2[], edges: readonly Edge[]): boolean {
+function isInside(x: number, y: number, ends: Float64Array): boolean {
   let inside = false;
-  for (const [i, j] of edges) {
-    const [a, b] = [points[i]!, points[j]!];
-    if (a[1] > y === b[1] > y) continue;
-    if (x < a[0] + ((y - a[1]) / (b[1] - a[1])) * (b[0] - a[0])) inside = !inside;
+  for (let k = 0; k < ends.length; k += 4) {
+    const ay = ends[k + 1]!;
+    const by = ends[k + 3]!;
+    if (ay > y === by > y) continue;
+    if (x < ends[k]! + ((y - ay) / (by - ay)) * (ends[k + 2]! - ends[k]!)) inside = !inside;
   }
   return inside;
 }
 
-function neighbours(triangles: Uint32Array, edges: readonly Edge[]): Int32Array {
+function neighbours(triangles: Uint32Array, edges: readonly Edge[], count: number): Int32Array {
   const across = new Int32Array(triangles.length).fill(-1);
-  const key = (a: number, b: number) => (a < b ? `${a} ${b}` : `${b} ${a}`);
+  const key = (a: number, b: number) => (a < b ? a * count + b : b * count + a);
   const walls = new Set(edges.map(([a, b]) => key(a, b)));
-  const open = new Map<string, number>();
+  const open = new Map<number, number>();
   for (let k = 0; k < triangles.length; k++) {
     const end = k % 3 === 2 ? k - 2 : k + 1;
     const name = key(triangles[k]!, triangles[end]!);

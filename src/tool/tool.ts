@@ -30,13 +30,14 @@ export type Notice = 'too-short' | 'edge-on' | 'selected';
 export interface Bench {
   readonly document: Document;
   readonly viewport: Viewport;
-  /** ids of the parts that are selected, in the document's order */
+  /** ids of the parts and groups that are selected, in the document's order */
   readonly selection: readonly string[];
   select(ids: readonly string[]): void;
   commit(commands: readonly Command[]): void;
   /** The camera comes to where these parts fill the picture. */
   focus(ids: readonly string[]): void;
-  notify(notice: Notice): void;
+  /** `offer`: what would be done instead, if that is what was meant */
+  notify(notice: Notice, offer?: readonly Command[]): void;
 }
 
 /** The gesture so far, for the wet ink. */
@@ -59,6 +60,9 @@ export interface Carried {
   readonly ids: readonly string[];
   /** where they have come from where they are */
   readonly by: Placement;
+  /** of a turn, degrees counter-clockwise; of a scaling, what all is multiplied by */
+  readonly degrees?: number;
+  readonly factor?: number;
 }
 
 export interface State {

@@ -10,7 +10,7 @@
 import { type Triangulation, triangulate } from '../../math/triangulate.ts';
 import { cross2, dot2, length2, mix2, scale2, sub2 } from '../../math/tuple.ts';
 import type { Vec2 } from '../../math/vec.ts';
-import { distanceTo, isInside, type Loop } from './outline.ts';
+import { distanceFrom, edgesOf, isWithin, type Loop } from './outline.ts';
 
 /** A circle inside the region, mm. */
 export interface MedialNode {
@@ -36,7 +36,8 @@ export function medialAxis(loops: readonly Loop[]): MedialAxis {
   const triangulation = triangulate(loops);
   const { triangles, across } = triangulation;
   const count = triangles.length / 3;
-  const nodes = Array.from({ length: count }, (_, t) => nodeOf(triangulation, t, loops));
+  const edges = edgesOf(loops);
+  const nodes = Array.from({ length: count }, (_, t) => nodeOf(triangulation, t, edges));
   const links = Array.from(across, (other, k) => [Math.floor(k / 3), other] as const).filter(
     ([t, other]) => other > t,
   );
@@ -44,17 +45,17 @@ export function medialAxis(loops: readonly Loop[]): MedialAxis {
   return { nodes, links, degrees, triangulation };
 }
 
-function nodeOf({ points, triangles, across }: Triangulation, t: number, loops: readonly Loop[]): MedialNode {
+function nodeOf({ points, triangles, across }: Triangulation, t: number, edges: Float64Array): MedialNode {
   const corners = [0, 1, 2].map((i) => points[triangles[3 * t + i]!]!);
   const centre = circumcentre(corners[0]!, corners[1]!, corners[2]!);
   const inner = [0, 1, 2].filter((i) => across[3 * t + i]! >= 0);
   if (inner.length === 0) return incircle(corners);
-  if (centre && isInside(centre, loops)) return { at: centre, radius: distanceTo(centre, loops) };
+  if (centre && isWithin(edges, ...centre)) return { at: centre, radius: distanceFrom(edges, ...centre) };
   const middles = inner
     .map((i) => [corners[i]!, corners[(i + 1) % 3]!] as const)
     .sort(([a, b], [c, d]) => length2(sub2(c, d)) - length2(sub2(a, b)));
   const at = mix2(...middles[0]!, 0.5);
-  return { at, radius: distanceTo(at, loops) };
+  return { at, radius: distanceFrom(edges, ...at) };
 }
 
 /** null where rounding leaves no triangle. */

@@ -9,13 +9,19 @@
  * 1.7 % with weights alone).
  */
 import type { Kernel, KernelParams } from '../../kernel/kernel.ts';
-import { boundedLeastSquares } from '../../math/boundedLeastSquares.ts';
+import {
+  addEntries,
+  addRow,
+  boundedMinimum,
+  emptyNormal,
+  type Normal,
+} from '../../math/boundedLeastSquares.ts';
 import type { Vec2 } from '../../math/vec.ts';
 import type { Skel } from '../skels.ts';
 import { lineWeight, pointWeight } from '../weight.ts';
 import type { MedialGraph } from './axis.ts';
 import { neighboursOf } from './branches.ts';
-import { type Basis, basisAt, fieldOf, shiftsAt } from './fitBasis.ts';
+import { type Basis, basisAt } from './fitBasis.ts';
 import { type Layout, layoutOf, skelsWith } from './skelsOf.ts';
 
 export interface FitOptions {
@@ -28,9 +34,20 @@ export interface FitOptions {
   readonly pull: number;
   /** radii by which a node may move */
   readonly move: number;
+  /** times that slopes are taken anew, with nodes where they are, and at most while they move */
+  readonly rounds: number;
+  readonly moves: number;
 }
 
-export const FITTING: FitOptions = { low: 0.05, high: 3, fairness: 0.1, pull: 0.01, move: 0.3 };
+export const FITTING: FitOptions = {
+  low: 0.05,
+  high: 3,
+  fairness: 0.05,
+  pull: 0.01,
+  move: 0.3,
+  rounds: 1,
+  moves: 5,
+};
 
 export interface Fitted {
   /** nodes as they were moved */
@@ -42,21 +59,34 @@ export interface Fitted {
   readonly residual: number;
   /** mm by which it is off where it is most, to first order */
   readonly most: number;
+  /** the same of all places but the worst `CORNERS` of them, which may be at corners that no smooth field has */
+  readonly nearly: number;
   /** share of the weights at nodes that are at a bound, 0–1 */
   readonly atBound: number;
   /** largest quotient of relative weights of two nodes that are linked */
   readonly ratio: number;
 }
 
-/** times that slopes are taken anew, with nodes where they are, and while they move */
-const ROUNDS = 3;
-const MOVES = 4;
 /** of a point beside segments, where nothing says otherwise */
 const POINT = 0.1;
 /** slopes flatter than this many thresholds a radius are taken as this: where the field has its top, first order says nothing */
 const FLAT = 0.5;
 /** damping of moves, against that of weights */
 const STAY = 4;
+/** share of the places */
+const CORNERS = 0.03;
+/** rounds of a step: the next one goes on */
+const TRIES = 6;
+/** of a step that is tried: the first that helps */
+const SHARES = [1, 0.5, 0.25];
+/** share of the misfit: a step that gains less is the last */
+const GAIN = 0.03;
+/** share of a support that a weight is made for */
+const WITHIN = 0.9;
+/** mm: no circle is taken as smaller */
+const LEAST = 1e-12;
+/** radii of length, for kernels whose infinite lines have an infinite field */
+const LINE = 6;
 
 /** `places` are of the outline, mm; the skels lie in the plane z = 0. */
 export function fitWeights(
@@ -67,45 +97,44 @@ export function fitWeights(
   threshold: number,
   options: FitOptions = FITTING,
 ): Fitted {
-  const fit = new Fit(graph, places, kernel, params, threshold, options);
-  for (let round = 0; round < ROUNDS; round++) fit.step(false);
-  let best = fit.result();
-  for (let round = 0; round < MOVES && options.move > 0; round++) {
-    fit.step(true);
-    const next = fit.result();
-    // first order has gone too far
-    if (!(next.residual < best.residual)) break;
-    best = next;
-  }
-  return best;
+  const fit = new Fit(graph, Float64Array.from(places.flat()), kernel, params, threshold, options);
+  for (let round = 0; round < options.rounds; round++) fit.weigh();
+  for (let round = 0; round < options.moves && options.move > 0; round++) if (!fit.move()) break;
+  return fit.result();
 }
 
 class Fit {
   readonly #graph: MedialGraph;
-  readonly #places: readonly Vec2[];
+  readonly #near: readonly (readonly number[])[];
+  readonly #places: Float64Array;
   readonly #kernel: Kernel;
   readonly #params: KernelParams;
   readonly #threshold: number;
   readonly #options: FitOptions;
   readonly #layout: Layout;
   readonly #scales: readonly number[];
-  readonly #radii: readonly number[];
+  /** of each place: the radius there */
+  readonly #radii: Float64Array;
   readonly #isBeside: readonly boolean[];
   #moved: MedialGraph;
   #x: readonly number[];
   /** in radii: x and y of each node in turn */
   #moves: readonly number[];
   #basis: Basis;
+  /** of each place: by how much the field is above the threshold, and local radii a difference of the field */
+  readonly #above: Float64Array;
+  readonly #per: Float64Array;
 
   constructor(
     graph: MedialGraph,
-    places: readonly Vec2[],
+    places: Float64Array,
     kernel: Kernel,
     params: KernelParams,
     threshold: number,
     options: FitOptions,
   ) {
     this.#graph = graph;
+    this.#near = neighboursOf(graph);
     this.#moved = graph;
     this.#places = places;
     this.#kernel = kernel;
@@ -114,111 +143,144 @@ class Fit {
     this.#options = options;
     this.#layout = layoutOf(graph);
     const { nodes, isPoint } = this.#layout;
-    this.#scales = nodes.map(({ radius }, i) =>
-      (isPoint[i] ? pointWeight : lineWeight)(kernel, params, radius, threshold),
+    this.#scales = nodes.map(({ radius }, i) => scaleOf(isPoint[i]!, kernel, params, radius, threshold));
+    const count = places.length / 2;
+    this.#radii = Float64Array.from({ length: count }, (_, at) =>
+      nearestRadius(graph, places[2 * at]!, places[2 * at + 1]!),
     );
-    this.#radii = places.map((p) => nearestRadius(graph, p));
+    this.#above = new Float64Array(count);
+    this.#per = new Float64Array(count);
     this.#isBeside = isPoint.map((is) => is && graph.links.length > 0);
     this.#x = this.#isBeside.map((is) => (is ? POINT : 1));
     this.#moves = graph.nodes.flatMap(() => [0, 0]);
-    this.#basis = this.#basisNow();
+    this.#basis = this.#look(null);
   }
 
-  /** Gauss–Newton, in weights and, when `moves`, in places of nodes. */
-  step(moves: boolean): void {
+  /** Gauss–Newton in weights. */
+  weigh(): void {
+    this.#x = this.#best([...this.#x], false);
+    this.#measure();
+  }
+
+  /** The same in weights and places of nodes: as far as it helps, or else, when first order has gone too far, half or a quarter. */
+  move(): boolean {
+    if (!this.#basis.shifts) this.#look();
+    const before = [...this.#x, ...this.#moves];
+    const misfit = this.#misfit();
+    const there = this.#best(before, true);
+    for (const share of SHARES) {
+      this.#go(there.map((value, i) => before[i]! + share * (value - before[i]!)));
+      const now = this.#misfit();
+      if (now < misfit) return now < (1 - GAIN) * misfit;
+    }
+    this.#go(before);
+    return false;
+  }
+
+  #best(from: readonly number[], moves: boolean): readonly number[] {
     const { low, high, move } = this.#options;
-    const { rows, y } = this.#rows(moves);
-    const damped = this.#damping(moves);
     const shifts = moves ? this.#moves : [];
-    const bounds = {
-      low: [...this.#isBeside.map((is) => (is ? 0 : low)), ...shifts.map(() => -move)],
-      high: [...this.#x.map(() => high), ...shifts.map(() => move)],
-    };
-    const all = [...rows, ...damped.rows];
-    const { x } = boundedLeastSquares(all, [...y, ...damped.y], bounds.low, bounds.high, [
-      ...this.#x,
-      ...shifts,
-    ]);
-    this.#x = x.slice(0, this.#x.length);
-    if (!moves) return;
-    this.#moves = x.slice(this.#x.length);
+    const lows = [...this.#isBeside.map((is) => (is ? 0 : low)), ...shifts.map(() => -move)];
+    const highs = [...this.#x.map(() => high), ...shifts.map(() => move)];
+    return boundedMinimum(this.#normal(moves), lows, highs, from, TRIES).x;
+  }
+
+  #go(to: readonly number[]): void {
+    this.#x = to.slice(0, this.#x.length);
+    this.#moves = to.slice(this.#x.length);
     const nodes = this.#graph.nodes.map(({ at, radius }, i) => ({
       at: [at[0] + radius * this.#moves[2 * i]!, at[1] + radius * this.#moves[2 * i + 1]!] as const,
       radius,
     }));
     this.#moved = { nodes, links: this.#graph.links };
-    this.#basis = this.#basisNow();
+    this.#look();
+  }
+
+  /** Σ of squares, local radii. */
+  #misfit(): number {
+    let sum = 0;
+    for (const [at, above] of this.#above.entries()) sum += above * this.#per[at]! * (above * this.#per[at]!);
+    return sum;
   }
 
   result(): Fitted {
     const { links, nodes } = this.#graph;
     const x = this.#x;
-    const offs = this.#basis.map((row, at) =>
-      Math.abs((fieldOf(row, x).value - this.#threshold) * this.#per(row, at)),
-    );
-    const most = offs.reduce((worst, off, at) => Math.max(worst, off * this.#radii[at]!), 0);
+    const offs = this.#above.map((above, at) => Math.abs(above * this.#per[at]!) * this.#radii[at]!).sort();
     const { low, high } = this.#options;
     const ends = x.slice(0, nodes.length).filter((weight) => weight <= low || weight >= high);
     return {
       graph: this.#moved,
       skels: skelsWith(layoutOf(this.#moved), this.#scales, x),
       relative: x,
-      residual: Math.sqrt(offs.reduce((sum, off) => sum + off * off, 0) / Math.max(offs.length, 1)),
-      most,
+      residual: Math.sqrt(this.#misfit() / Math.max(this.#above.length, 1)),
+      most: offs.at(-1) ?? 0,
+      nearly: offs[Math.floor((1 - CORNERS) * (offs.length - 1))] ?? 0,
       atBound: ends.length / Math.max(nodes.length, 1),
       ratio: links.reduce((most, [a, b]) => Math.max(most, x[a]! / x[b]!, x[b]! / x[a]!), 1),
     };
   }
 
-  #basisNow(): Basis {
-    return basisAt(layoutOf(this.#moved), this.#scales, this.#places, this.#kernel, this.#params);
+  #look(x: readonly number[] | null = this.#x): Basis {
+    this.#basis = basisAt(
+      this.#moved,
+      this.#layout,
+      this.#scales,
+      this.#places,
+      this.#kernel,
+      this.#params,
+      x,
+    );
+    this.#measure();
+    return this.#basis;
   }
 
-  /** local radii a difference of the field, at a place */
-  #per(row: Float64Array, at: number): number {
-    const radius = this.#radii[at]!;
-    return 1 / (Math.max(fieldOf(row, this.#x).slope, (FLAT * this.#threshold) / radius) * radius);
-  }
-
-  #rows(moves: boolean) {
-    const known = this.#x.length;
-    const shifts = moves
-      ? shiftsAt(this.#moved, this.#scales, this.#x, this.#places, this.#kernel, this.#params)
-      : null;
-    const y: number[] = [];
-    const rows = this.#basis.map((row, at) => {
-      const per = this.#per(row, at);
-      const out = new Float64Array(known + (moves ? this.#moves.length : 0));
-      for (let i = 0; i < known; i++) out[i] = row[3 * i]! * per;
-      let right = this.#threshold * per;
-      const gains = shifts ? shifts[at]! : [];
-      for (const [i, gain] of gains.entries()) {
-        out[known + i] = gain * per;
-        right += gain * per * this.#moves[i]!;
+  #measure(): void {
+    const { value, dx, dy, unknowns } = this.#basis;
+    for (let at = 0; at < this.#above.length; at++) {
+      let [sum, sx, sy] = [-this.#threshold, 0, 0];
+      for (let i = 0; i < unknowns; i++) {
+        const k = at * unknowns + i;
+        const weight = this.#x[i]!;
+        sum += weight * value[k]!;
+        sx += weight * dx[k]!;
+        sy += weight * dy[k]!;
       }
-      y.push(right);
-      return out;
-    });
-    return { rows, y };
+      const radius = this.#radii[at]!;
+      const slope = Math.max(Math.sqrt(sx * sx + sy * sy), (FLAT * this.#threshold) / radius);
+      this.#above[at] = sum;
+      this.#per[at] = 1 / (slope * radius);
+    }
+  }
+
+  #normal(moves: boolean): Normal {
+    const { value, shifts, unknowns } = this.#basis;
+    const shifted = moves ? this.#moves.length : 0;
+    const row = new Float64Array(unknowns + shifted);
+    const normal = emptyNormal(row.length);
+    for (const [at, per] of this.#per.entries()) {
+      let right = this.#threshold * per;
+      for (let i = 0; i < unknowns; i++) row[i] = value[at * unknowns + i]! * per;
+      for (let i = 0; i < shifted; i++) {
+        const gain = shifts![at * shifted + i]! * per;
+        row[unknowns + i] = gain;
+        right += gain * this.#moves[i]!;
+      }
+      addRow(normal, row, right);
+    }
+    this.#damp(normal, moves);
+    return normal;
   }
 
   /** More places ask for as much more. */
-  #damping(moves: boolean) {
+  #damp(normal: Normal, moves: boolean): void {
     const { fairness, pull } = this.#options;
-    const { nodes } = this.#graph;
     const known = this.#x.length;
-    const size = known + (moves ? 2 * nodes.length : 0);
-    const share = Math.sqrt(this.#places.length / known);
-    const rows: Float64Array[] = [];
-    const y: number[] = [];
-    const add = (entries: readonly (readonly [number, number])[], right: number) => {
-      const row = new Float64Array(size);
-      for (const [i, value] of entries) row[i] = value * share;
-      rows.push(row);
-      y.push(right * share);
-    };
+    const share = this.#per.length / known;
+    const add = (entries: readonly (readonly [number, number])[], right: number) =>
+      addEntries(normal, entries, right, share);
     for (const [i, is] of this.#isBeside.entries()) add([[i, pull]], pull * (is ? POINT : 1));
-    neighboursOf(this.#graph).forEach((others, node) => {
+    this.#near.forEach((others, node) => {
       const bends = (at: (node: number) => number, by: number) =>
         others.length === 2 &&
         add([[at(node), by], ...others.map((other) => [at(other), -0.5 * by] as const)], 0);
@@ -229,16 +291,31 @@ class Fit {
         add([[known + 2 * node + axis, pull * STAY]], 0);
       }
     });
-    return { rows, y };
   }
 }
 
-function nearestRadius({ nodes }: MedialGraph, [x, y]: Vec2): number {
+/** Weight of an infinite line, or of a lone point; of kernels whose lines have no end, of one of this length. */
+function scaleOf(
+  isPoint: boolean,
+  kernel: Kernel,
+  params: KernelParams,
+  radius: number,
+  threshold: number,
+): number {
+  // what a support does not reach is not held, but no error either
+  const within = kernel.support < Infinity ? WITHIN * kernel.support * kernel.unit(params, radius) : Infinity;
+  const held = Math.min(Math.max(radius, LEAST), within);
+  if (isPoint) return pointWeight(kernel, params, held, threshold);
+  return lineWeight(kernel, params, held, threshold, kernel.wholeLine ? Infinity : LINE * held);
+}
+
+function nearestRadius({ nodes }: MedialGraph, x: number, y: number): number {
   let least = Infinity;
   let found = 1;
   for (const { at, radius } of nodes) {
-    const gap = Math.sqrt((x - at[0]) * (x - at[0]) + (y - at[1]) * (y - at[1])) / radius;
-    if (gap < least) [least, found] = [gap, radius];
+    const held = Math.max(radius, LEAST);
+    const gap = ((x - at[0]) * (x - at[0]) + (y - at[1]) * (y - at[1])) / (held * held);
+    if (gap < least) [least, found] = [gap, held];
   }
   return found;
 }
