@@ -34,13 +34,15 @@ export interface CastImages {
   readonly milliseconds: number;
   /** The first, 0, is through the middle of the pixels, and there in part before it is whole. */
   image(number: number): SurfaceImage;
+  /** Nobody asks for images any more: what they lie on is given back. */
+  drop?(): void;
 }
 
 export interface CastListener {
   /** there is more */
   changed(): void;
-  /** there will be nothing more, in words */
-  refused(why: string): void;
+  /** there will be nothing more, in words; `trees`: whose fault that is, where it is known, and will be the next time, too */
+  refused(why: string, trees?: readonly FieldNode[]): void;
 }
 
 export interface Caster {

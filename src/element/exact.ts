@@ -65,6 +65,8 @@ export class Exact {
   #rested = false;
   /** a picture is made: the screen waits */
   #isBusy = false;
+  /** of that picture, which may be those of the screen */
+  #lent: CastImages | null = null;
   /** ends with the pictures before */
   #turn: Promise<unknown> = Promise.resolve();
 
@@ -77,10 +79,8 @@ export class Exact {
   /** Draws the frame, or leaves it as it is; false: it is to be drawn with meshes. */
   frame(seen: Seen): boolean {
     const { scene, bodies, view, version } = seen;
-    if (bodies.length === 0 || this.#isBusy) {
-      this.rest();
-      return false;
-    }
+    if (bodies.length === 0) this.rest();
+    if (bodies.length === 0 || this.#isBusy) return false;
     this.#keep();
     const camera = cameraOf(view, scene.pixels);
     const cast = nameOf(bodies, camera);
@@ -103,6 +103,8 @@ export class Exact {
   live({ scene, bodies, view }: Omit<Seen, 'version'>): boolean {
     if (bodies.length === 0 || this.#isBusy || this.problem !== null) return false;
     const image = this.#caster.live?.(bodies, view, scene.pixels, LIVE);
+    // what moves for long is wanted as long
+    if (image) this.#letGo();
     return image ? scene.refine(image, { alone: true }) : false;
   }
 
@@ -155,33 +157,49 @@ export class Exact {
     return this.problem !== null || this.#count === this.#images?.whole;
   }
 
-  /** For a picture of its own; what is on the screen waits. Rejects where there are none. */
-  async images(bodies: readonly ShownBody[], view: View, pixels: Scene['pixels']): Promise<Images> {
-    if (bodies.length === 0) return [];
-    const turn = this.#turn.then(() => this.#whole(bodies, cameraOf(view, pixels)));
+  /** Has a picture of its own drawn with images that are there as long as that takes; what is on the screen waits. Rejects where there are none. */
+  async picture<T>(
+    bodies: readonly ShownBody[],
+    view: View,
+    pixels: Scene['pixels'],
+    draw: (images: Images) => Promise<T>,
+  ): Promise<T> {
+    if (bodies.length === 0) return draw([]);
+    const turn = this.#turn.then(() => this.#whole(bodies, cameraOf(view, pixels), draw));
     this.#turn = turn.catch(() => {});
     return turn;
   }
 
-  async #whole(bodies: readonly ShownBody[], camera: RayCamera): Promise<Images> {
-    const kept = this.#isKept ? this.#images : null;
-    if (kept && nameOf(bodies, camera) === this.#cast) return allOf(kept);
-    if (!kept) this.#giveUp();
+  /** What is whole on the screen stays, and serves where it is the same. */
+  async #whole<T>(
+    bodies: readonly ShownBody[],
+    camera: RayCamera,
+    draw: (images: Images) => Promise<T>,
+  ): Promise<T> {
+    if (!this.#isKept) this.drop();
     this.#keep();
     this.#isBusy = true;
     try {
-      const images = await new Promise<CastImages>((resolve, reject) => {
-        const casting = this.#caster.cast(bodies, camera, {
-          changed: () => casting.count === casting.whole && resolve(casting),
-          refused: (why) => reject(new Error(why)),
-        });
-      });
-      return allOf(images);
+      const kept = nameOf(bodies, camera) === this.#cast ? this.#images : null;
+      const images = kept ?? (await this.#allOf(bodies, camera));
+      this.#lent = images;
+      return await draw(Array.from({ length: images.whole }, (_, i) => () => images.image(i)));
     } finally {
+      if (this.#lent !== this.#images) this.#lent?.drop?.();
+      this.#lent = null;
       this.#isBusy = false;
       this.#letGo();
       this.#changed();
     }
+  }
+
+  #allOf(bodies: readonly ShownBody[], camera: RayCamera): Promise<CastImages> {
+    return new Promise((resolve, reject) => {
+      const casting = this.#caster.cast(bodies, camera, {
+        changed: () => casting.count === casting.whole && resolve(casting),
+        refused: (why) => reject(new Error(why)),
+      });
+    });
   }
 
   #keep(): void {
@@ -211,7 +229,9 @@ export class Exact {
   }
 
   #giveUp(): void {
-    if (this.#images) this.#caster.stop();
+    // what is whole is nothing to stop: by now others may be cast
+    if (this.#images && !this.#isKept) this.#caster.stop();
+    if (this.#images !== this.#lent) this.#images?.drop?.();
     this.#images = null;
     this.#count = 0;
     this.problem = null;
@@ -254,8 +274,8 @@ export class Exact {
   #refine(scene: Scene): boolean {
     const images = this.#images;
     if (!images) return false;
-    // somebody drew another frame, or undid it
-    if (scene.refined !== this.#count) {
+    // somebody drew another frame, or undid it; or others took the picture over, and began anew
+    if (scene.refined !== this.#count || images.count < this.#count) {
       this.#wait();
       return false;
     }
@@ -280,9 +300,6 @@ const nameOf = (bodies: readonly ShownBody[], camera: RayCamera): string =>
     camera,
     bodies.map(({ id, node, placement, cells }) => [id, keyOf(node), placement, cells]),
   ]);
-
-const allOf = (images: CastImages): Images =>
-  Array.from({ length: images.whole }, (_, i) => () => images.image(i));
 
 function cameraOf(view: View, { width, height }: Scene['pixels']): RayCamera {
   const shrunk = Math.min(1, Math.sqrt(MOST_RAYS / (width * height)));

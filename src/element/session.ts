@@ -142,6 +142,10 @@ export class Session implements Bench, Viewport {
   constructor(hooks: Hooks) {
     this.#hooks = hooks;
     this.frames = new Frames(this, () => hooks.drawn());
+    this.rays.onRefused = (why) => {
+      this.said = WORDS.raysRefused(why);
+      this.update();
+    };
   }
 
   get document(): Document {

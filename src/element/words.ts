@@ -64,6 +64,7 @@ export const WORDS = {
   mesh: (triangles: number) => `mesh · ${thousands(triangles)} triangles`,
   exact: (evaluations: number, milliseconds: number) =>
     `exact · ${evaluations < 10 ? evaluations.toFixed(1) : Math.round(evaluations)} evaluations per pixel · ${seconds(milliseconds)}`,
+  raysRefused: (why: string) => `Processors or triangles stand in for rays: ${why}`,
   inPart: (exact: string) => `${exact} · some rows triangles`,
   rowsLost: 'Some rows of the picture could not be cast: bodies are triangles there',
   notExact: 'no rays here, triangles',
