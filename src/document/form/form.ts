@@ -5,6 +5,7 @@
 import type { AnySkel } from '../../field/expand.ts';
 import type { Kernel, KernelParams } from '../../kernel/kernel.ts';
 import type { MedialGraph } from '../../skeleton/medial/axis.ts';
+import { widthFor } from '../../skeleton/weight.ts';
 import type { Curve } from '../../stroke/curve.ts';
 import type { Brush } from '../document.ts';
 import type { GroupShape } from '../solid.ts';
@@ -67,6 +68,21 @@ export function profileAt({ profile }: GroupShape, u: number): number {
   return a + (b - a) * (x - i);
 }
 
-/** mm: radius at u. Pen pressure counts as for tubes: the brush's own radius at half of it. */
-export const radiusAt = ({ curves, brush, shape }: Ink, u: number): number =>
-  brush.radius * profileAt(shape, u) * (brush.pressure ? 0.25 + 1.5 * curves[0]!.pressure(u) : 1);
+/** mm: radius of a curve at u. Pen pressure counts as for tubes: the brush's own radius at half of it. */
+export const radiusAt = ({ brush, shape }: Ink, curve: Curve, u: number): number =>
+  brush.radius * profileAt(shape, u) * (brush.pressure ? 0.25 + 1.5 * curve.pressure(u) : 1);
+
+/** of the smallest radius: kernels without an end are made for so much thinner ones, or tubes would end as needles; s R = 2 for Cauchy */
+const SHARPER = 2.5;
+/** of the largest radius: kernels with an end have to reach it (the quartic one is 1.34 of it wide) */
+const REACHING = 0.9;
+
+/** Width with which lines and plates of these radii are as thick as they say; null for none. */
+export function widthForRadii(kernel: Kernel, radii: readonly number[]): KernelParams | null {
+  if (radii.length === 0) return null;
+  const least = radii.reduce((a, b) => Math.min(a, b)) / SHARPER;
+  const most = kernel.support < Infinity ? REACHING * radii.reduce((a, b) => Math.max(a, b)) : 0;
+  return widthFor(kernel, PLAIN, Math.max(least, most));
+}
+
+export const radiiOf = ({ nodes }: MedialGraph): readonly number[] => nodes.map(({ radius }) => radius);

@@ -1,48 +1,35 @@
-/** A polyline with a radius at each of its points (Zhu et al. 2011, §3.2). */
-import { distance2 } from '../../math/tuple.ts';
+/** A polyline with a radius at each of its points (Zhu et al. 2011, §3.2): few, and more where it bends or its radius changes. */
 import type { MedialGraph } from '../../skeleton/medial/axis.ts';
-import { widthFor } from '../../skeleton/weight.ts';
-import { type FormKind, type Ink, PLAIN, radiusAt } from './form.ts';
+import type { Curve } from '../../stroke/curve.ts';
+import { graphOf } from './chains.ts';
+import { fewOf, fewOfLoop } from './few.ts';
+import { type FormKind, type Ink, radiiOf, radiusAt, widthForRadii } from './form.ts';
+import { chainSkels } from './tubes.ts';
 
-/** mm between points along a stroke, in radii; no more than this many */
-const STEP = 1;
+/** of the radius: what is off by less is not seen */
+const OFF = 0.05;
+/** places looked at, and those of a stroke that stay */
+const LOOKED_AT = 240;
 const MOST = 60;
 
 export const line: FormKind = {
-  width: (ink, kernel) =>
-    widthFor(kernel, PLAIN, Math.min(...chainOf(ink).nodes.map(({ radius }) => radius))),
-  make(ink) {
-    const skeleton = chainOf(ink);
-    return { skeleton, skels: chainSkels(skeleton) };
+  width: (ink, kernel) => widthForRadii(kernel, radiiOf(skeletonOf(ink))),
+  make(ink, sum) {
+    const skeleton = skeletonOf(ink);
+    const skels = chainSkels(skeleton, sum);
+    return skels.length > 0 ? { skeleton, skels } : null;
   },
 };
 
-function chainOf(ink: Ink): MedialGraph {
-  const { curves, brush, skeleton } = ink;
-  if (skeleton) return skeleton;
-  const curve = curves[0]!;
-  const pieces = Math.min(MOST, Math.max(2, Math.ceil(curve.length / (STEP * brush.radius))));
-  const nodes = Array.from({ length: pieces + 1 }, (_, i) => ({
-    at: curve.point(i / pieces),
-    radius: radiusAt(ink, i / pieces),
-  }));
-  return { nodes, links: nodes.slice(1).map((_, i) => [i, i + 1] as const) };
-}
+const skeletonOf = (ink: Ink): MedialGraph =>
+  ink.skeleton ?? graphOf(ink.curves.map((curve) => ({ nodes: nodesOf(ink, curve), closed: curve.closed })));
 
-/** A segment a link; nodes that nothing is linked to are points. */
-export function chainSkels({ nodes, links }: MedialGraph) {
-  const linked = new Set(links.flat());
-  const segments = links
-    .map(([a, b]) => [nodes[a]!, nodes[b]!] as const)
-    .filter(([a, b]) => distance2(a.at, b.at) > 0)
-    .map(([a, b]) => ({
-      type: 'segment' as const,
-      a: [a.at[0], a.at[1], 0] as const,
-      b: [b.at[0], b.at[1], 0] as const,
-      radii: [a.radius, b.radius] as const,
-    }));
-  const points = nodes
-    .filter((_, i) => !linked.has(i))
-    .map(({ at, radius }) => ({ type: 'point' as const, at: [at[0], at[1], 0] as const, radius }));
-  return [...segments, ...points];
+function nodesOf(ink: Ink, curve: Curve) {
+  const count = curve.closed ? LOOKED_AT : LOOKED_AT + 1;
+  const even = Array.from({ length: count }, (_, i) => i / LOOKED_AT);
+  const places = [...even, ...curve.corners.filter((u) => !even.includes(u))].sort((a, b) => a - b);
+  const nodes = places.map((u) => ({ at: curve.point(u), radius: radiusAt(ink, curve, u) }));
+  const least = nodes.reduce((low, { radius }) => Math.min(low, radius), Infinity);
+  const kept = curve.closed ? fewOfLoop(nodes, OFF * least, MOST) : fewOf(nodes, OFF * least, MOST);
+  return kept.map((i) => nodes[i]!);
 }

@@ -1,13 +1,12 @@
 /** A lone point: a ball of the brush's radius. */
 import type { MedialGraph } from '../../skeleton/medial/axis.ts';
-import { widthFor } from '../../skeleton/weight.ts';
-import { type FormKind, type Ink, PLAIN } from './form.ts';
+import { type FormKind, type Ink, radiiOf, widthForRadii } from './form.ts';
 
 export const point: FormKind = {
-  width: (ink, kernel) =>
-    widthFor(kernel, PLAIN, Math.min(...skeletonOf(ink).nodes.map(({ radius }) => radius))),
+  width: (ink, kernel) => widthForRadii(kernel, radiiOf(skeletonOf(ink))),
   make(ink) {
     const skeleton = skeletonOf(ink);
+    if (skeleton.nodes.length === 0) return null;
     const skels = skeleton.nodes.map(({ at, radius }) => ({
       type: 'point' as const,
       at: [at[0], at[1], 0] as const,
