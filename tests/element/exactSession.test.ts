@@ -56,8 +56,8 @@ const scene = {
   get refined() {
     return refined;
   },
-  refine: () => {
-    refined = (refined ?? 0) + 1;
+  refine(_image: unknown, { alone = false } = {}) {
+    refined = alone ? 0 : (refined ?? 0) + 1;
     return true;
   },
   render() {
