@@ -251,6 +251,7 @@ export const KEYS: readonly { readonly keys: string; readonly does: string }[] =
   { keys: 'F', does: 'Full screen' },
   { keys: 'Delete', does: 'Delete what is selected' },
   { keys: 'H', does: 'Hide or show what is selected' },
+  { keys: 'K', does: 'Skeleton of the form that is selected' },
   { keys: 'Ctrl A', does: 'Select everything' },
   { keys: 'Ctrl D', does: 'Duplicate what is selected' },
   { keys: 'Shift M', does: 'Mirror what is selected' },
@@ -355,7 +356,11 @@ export const SILHOUETTE_WORDS = {
   holes: (count: number) => (count === 1 ? '1 hole' : `${count} holes`),
   radius: (mm: number) => `${mm} mm radius`,
   thick: (mm: number) => `${mm} mm thick`,
-  preview: (long: string, joined: string | null) => `${long}, preview${joined ? `. Joins ${joined}` : ''}`,
+  preview: (long: string) => `${long}, preview`,
+  previewOf: {
+    joins: (long: string, joined: string) => `${long}, preview. Joins ${joined}`,
+    sitsOn: (long: string, joined: string) => `${long}, preview. Sits on ${joined}`,
+  },
   carving: (joined: string) => `Carving, preview. Takes away from ${joined}`,
   added: (long: string, joined: string) => `${long} added to ${joined}`,
   carved: (joined: string) => `${joined} carved`,
@@ -368,4 +373,25 @@ export const SILHOUETTE_WORDS = {
   join: 'Join the parts',
   nothing: 'nothing to fill',
   asTube: 'Tube',
+} as const;
+
+/** Words of skeletons in the hand, and of profiles. */
+export const SKELETON_WORDS = {
+  show: 'Skeleton',
+  of: (name: string) => `Skeleton of ${name}`,
+  shown: (name: string, nodes: number) => `Skeleton of ${name}, ${nodes === 1 ? '1 node' : `${nodes} nodes`}`,
+  hidden: 'Skeleton hidden',
+  none: 'Select one form of a solid to see its skeleton',
+  node: (node: number, of: number, radius: number) =>
+    `Node ${node} of ${of}, radius ${Math.round(10 * radius) / 10} mm`,
+  hint: 'Arrow keys move it 1 mm, with Shift 10 mm; plus and minus change its radius; Page Up and Page Down go to the next; Enter splits a link; Delete removes it.',
+  add: 'Add a node: drag to where it goes',
+  remove: 'Delete the node',
+  edited: (name: string) => `Skeleton of ${name} edited`,
+  reset: (name: string) => `Skeleton of ${name} as the strokes say`,
+  profile: 'Profile',
+  profileOf: (name: string) => `Profile of ${name}`,
+  profilePoint: (point: number, of: number) => `Thickness at ${point} of ${of}`,
+  profileEven: 'Even',
+  profileByHand: 'The skeleton was edited: its own radii count.',
 } as const;
