@@ -109,6 +109,7 @@ test('a group is hidden, named and deleted as parts are', async ({ page }) => {
   await page.keyboard.press('Enter');
   await expect(row(page, 'Left ear')).toBeVisible();
   await page.keyboard.press('Delete');
+  expect((await facts(page)).said).toBe('Left ear deleted. Undo brings it back');
   expect((await facts(page)).made[0]).toEqual([['Body', 'Head'], ['Eye']]);
   await page.keyboard.press('Control+z');
   expect((await facts(page)).made[0]).toEqual([['Body', 'Head', 'Left ear'], ['Eye']]);
@@ -252,7 +253,7 @@ test('a second tap takes the group under the pen, Escape goes up; the ring turns
   await page.mouse.down();
   await page.mouse.move(knob.x, knob.y + 40);
   await page.mouse.move(knob.x - 40, knob.y + 60);
-  await expect(page.locator('.value-tag')).toHaveText(/^-?\d+°$/);
+  await expect(page.locator('.value-tag')).toHaveText(/^−?\d+°$/);
   await page.mouse.up();
   expect((await facts(page)).steps).toBe(steps + 3);
   await page.locator('.stage').focus();

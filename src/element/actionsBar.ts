@@ -31,8 +31,8 @@ export function actionsBar(session: Session, actions: Actions): TemplateResult |
       expanded: actions.open === 'palette',
       body: html`<span class="swatch">${ball('toon', chosenColour(session) ?? CLAY)}</span>`,
     })}
-    ${iconButton(hidden ? 'eye' : 'eyeOff', hidden ? action.show : action.hide, () => hideSelection(session), { key: 'H' })}
-    ${hidden ? nothing : iconButton('focus', action.focus, () => session.focus(partsWith(document, selection).map(({ id }) => id)))}
+    ${iconButton(hidden ? 'eye' : 'eyeOff', hidden ? action.show : action.hide, () => hideSelection(session), { key: 'H', class: 'elsewhere least' })}
+    ${hidden ? nothing : iconButton('focus', action.focus, () => session.focus(partsWith(document, selection).map(({ id }) => id)), { class: 'elsewhere' })}
     ${iconButton('duplicate', action.duplicate, () => duplicateSelection(session), { shortcut: 'Control+D' })}
     ${hidden ? nothing : mirrors(session)}
     ${selectedSkeleton(session) ? iconButton('skeleton', SKELETON_WORDS.show, () => toggleSkeleton(session), { key: 'K', pressed: isSkeletonOn(session) }) : nothing}

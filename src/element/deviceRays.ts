@@ -196,7 +196,8 @@ export class DeviceRays implements Caster {
   #tell(why: string): void {
     if (this.#hasTold || this.#isGone) return;
     this.#hasTold = true;
-    this.#told(why);
+    // devices go on with where in their own code it was
+    this.#told(why.split('\n', 1)[0]!.trim());
   }
 
   #refuse(why: string, trees: readonly FieldNode[] = []): void {

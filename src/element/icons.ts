@@ -9,6 +9,7 @@ import next from 'lucide-static/icons/chevron-right.svg?raw';
 import done from 'lucide-static/icons/circle-check.svg?raw';
 import undone from 'lucide-static/icons/circle-dashed.svg?raw';
 import help from 'lucide-static/icons/circle-question-mark.svg?raw';
+import paste from 'lucide-static/icons/clipboard-paste.svg?raw';
 import duplicate from 'lucide-static/icons/copy.svg?raw';
 import more from 'lucide-static/icons/ellipsis.svg?raw';
 import eye from 'lucide-static/icons/eye.svg?raw';
@@ -75,6 +76,7 @@ const OURS = {
 
 const LUCIDE = {
   duplicate,
+  paste,
   turn,
   scale,
   next,

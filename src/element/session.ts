@@ -28,6 +28,7 @@ import { type Background, DEFAULT_LOOK, type Look, type Mode, type Style } from 
 import { GROWING, isTooLarge } from '../document/size.ts';
 import { nodeOf } from '../document/solidNode.ts';
 import type { FieldNode } from '../field/node.ts';
+import type { RayCamera } from '../field/rayImage.ts';
 import type { Vec3 } from '../math/vec.ts';
 // Only the pure parts of the scene at once: three.js is fetched when there is a page to draw on.
 import type { Scene } from '../scene/index.ts';
@@ -45,7 +46,7 @@ import { draftProblem } from './draftProblem.ts';
 import { longName, previewWords, rememberStart, shortName } from './draftWords.ts';
 import type { Cause } from './events.ts';
 import { Exact } from './exact.ts';
-import { pickedOn } from './exactPick.ts';
+import { isCastable, pickedAmong, pickedOn } from './exactPick.ts';
 import { type Flaw, flawsIn } from './flaws.ts';
 import { Frames } from './frames.ts';
 import type { NoPicture } from './noPicture.ts';
@@ -160,13 +161,22 @@ export class Session implements Bench, Viewport {
   }
 
   /** On bodies their surface itself, whatever is seen of them: strokes that start there stay, meshes do not. */
-  pick(x: number, y: number, except?: readonly string[]): Picked | null {
-    const hit = this.scene?.pick(x, y, except) ?? null;
+  pick(x: number, y: number, except: readonly string[] = []): Picked | null {
+    const isSeen = ({ id, hidden }: NamedNode) => !hidden && !except.includes(id);
+    const all = this.look.mode === 'exact' ? bodiesOf(this.document).filter(isSeen) : [];
+    const bodies = all.filter(isCastable);
+    const hit = this.scene?.pick(x, y, [...except, ...bodies.map(({ id }) => id)]) ?? null;
+    if (bodies.length > 0) return this.scene && pickedAmong(bodies, hit, this.#camera, [x, y]);
     if (!hit) return null;
     const parts = partsWithDraft(this.document);
     const part = parts.filter(isImplicit).find(({ id }) => id === hit.id);
     const made = part && bodyMade(nodeOf(part));
     return made ? pickedOn(hit, part, rayAt(this.view, this.size, x, y), made) : { ...hit, skel: null };
+  }
+
+  /** For rays through places in CSS pixels. */
+  get #camera(): RayCamera {
+    return { view: this.view, ...this.size, offset: [0, 0] };
   }
 
   focus(ids: readonly string[]): void {

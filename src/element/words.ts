@@ -312,6 +312,8 @@ export const SOLID_WORDS = {
     about === null
       ? 'Flips it where it is: nothing else is there, or it lies in the middle'
       : `To the other side of the middle of ${about}, as you look at it`,
+  copy: 'Copy',
+  paste: 'Paste',
   copied: (name: string) => `${name} copied`,
   cut: (name: string) => `${name} cut. Undo brings it back`,
   pasted: (name: string) => `${name} pasted`,
@@ -354,7 +356,11 @@ export const SILHOUETTE_WORDS = {
   holes: (count: number) => (count === 1 ? '1 hole' : `${count} holes`),
   radius: (mm: number) => `${mm} mm radius`,
   thick: (mm: number) => `${mm} mm thick`,
-  preview: (long: string, joined: string | null) => `${long}, preview${joined ? `. Joins ${joined}` : ''}`,
+  preview: (long: string) => `${long}, preview`,
+  previewOf: {
+    joins: (long: string, joined: string) => `${long}, preview. Joins ${joined}`,
+    sitsOn: (long: string, joined: string) => `${long}, preview. Sits on ${joined}`,
+  },
   carving: (joined: string) => `Carving, preview. Takes away from ${joined}`,
   added: (long: string, joined: string) => `${long} added to ${joined}`,
   carved: (joined: string) => `${joined} carved`,

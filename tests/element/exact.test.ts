@@ -72,7 +72,9 @@ class DroppedCaster implements Caster {
       drop: () => void this.left--,
     };
   }
+  lives = 0;
   live(): SurfaceImage {
+    this.lives++;
     return { camera: {}, items: [] } as unknown as SurfaceImage;
   }
   idles = 0;
@@ -361,6 +363,16 @@ describe('Exact', () => {
     expect(worker.casts).toBe(1);
   });
 
+  it('shows what it has as soon as the style is another, and casts nothing for it', () => {
+    const caster = new DroppedCaster();
+    exact = new Exact(() => {}, caster);
+    rested();
+    expect(exact.live(seen())).toBe(true);
+    expect(caster.lives).toBe(0);
+    exact.live(seen({ view: { ...FRONT_VIEW, height: 50 } }));
+    expect(caster.lives).toBe(1);
+  });
+
   it('is not idle as long as something moves', () => {
     const caster = new DroppedCaster();
     exact = new Exact(() => {}, caster);
@@ -368,7 +380,7 @@ describe('Exact', () => {
     for (let i = 0; i < 10; i++) exact.frame(seen());
     for (let i = 0; i < 10; i++) {
       exact.rest();
-      expect(exact.live(seen())).toBe(true);
+      expect(exact.live(seen({ view: { ...FRONT_VIEW, height: 50 } }))).toBe(true);
       vi.advanceTimersByTime(15_000);
     }
     expect(caster.idles).toBe(0);

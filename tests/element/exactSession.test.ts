@@ -56,8 +56,8 @@ const scene = {
   get refined() {
     return refined;
   },
-  refine: () => {
-    refined = (refined ?? 0) + 1;
+  refine(_image: unknown, { alone = false } = {}) {
+    refined = alone ? 0 : (refined ?? 0) + 1;
     return true;
   },
   render() {
@@ -66,6 +66,7 @@ const scene = {
   setLook() {
     refined = null;
   },
+  pick: () => null,
   ...{ sync() {}, guide() {}, select() {}, dispose() {} },
   rig: { update: () => false, view: () => FRONT_VIEW, setView() {} },
 } as unknown as Scene;
@@ -155,6 +156,18 @@ it('says once that rows are missing, and that they are triangles as long as they
   session.said = 'another';
   rested();
   expect(session.said).toBe('another');
+});
+
+it('picks bodies by rays in exact mode, also where there are no triangles', () => {
+  const place = [10, 16] as const;
+  session.size = { width: 20, height: 32 };
+  expect(session.pick(...place)).toBeNull();
+  session.setMode('exact');
+  const [ball] = session.document.parts;
+  expect(session.pick(...place)).toMatchObject({ id: ball!.id, normal: [0, 0, 1] });
+  expect(session.pick(...place, [ball!.id])).toBeNull();
+  session.run({ type: 'showParts', ids: [ball!.id], visible: false });
+  expect(session.pick(...place)).toBeNull();
 });
 
 it('casts nothing again for another style, another selection, triangles and back', () => {

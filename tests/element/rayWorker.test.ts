@@ -81,7 +81,8 @@ function band({ from, to, ...job }: BandJob): Band {
   const [surface, colours] = [BASE.surface, BASE.colours].map((all) =>
     all.slice(4 * from * width, 4 * to * width),
   );
-  const image = { width, height: to - from, surface: surface!, colours: colours! };
+  const passed = BASE.passed.slice(from * width, to * width);
+  const image = { width, height: to - from, surface: surface!, colours: colours!, passed };
   const places = edgesOf(image, { ...CAMERA, offset: [0.5, 0.5 + from] }).map((at) => at + from * width);
   return { ...job, from, to, places, work: 10, surface: image.surface, colours: image.colours };
 }

@@ -67,6 +67,8 @@ export interface Fitted {
   readonly ratio: number;
 }
 
+/** nodes: more stay where they are, or steps would take seconds */
+const MANY = 150;
 /** of a point beside segments, where nothing says otherwise */
 const POINT = 0.1;
 /** slopes flatter than this many thresholds a radius are taken as this: where the field has its top, first order says nothing */
@@ -99,7 +101,8 @@ export function fitWeights(
 ): Fitted {
   const fit = new Fit(graph, Float64Array.from(places.flat()), kernel, params, threshold, options);
   for (let round = 0; round < options.rounds; round++) fit.weigh();
-  for (let round = 0; round < options.moves && options.move > 0; round++) if (!fit.move()) break;
+  const moves = graph.nodes.length > MANY ? 0 : options.moves;
+  for (let round = 0; round < moves && options.move > 0; round++) if (!fit.move()) break;
   return fit.result();
 }
 

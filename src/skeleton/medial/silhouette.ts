@@ -52,7 +52,9 @@ function axisOf(
   const radii = axis.nodes.map(({ radius }) => radius).sort((a, b) => a - b);
   const thin = radii[Math.floor(radii.length / 4)] ?? 0;
   const wanted = Math.min(roundOf(loops) / (SPACING * thin), MOST_PLACES);
-  return count >= PLACES && wanted > 1.3 * count && thin > 0 ? axisOf(loops, wanted) : { axis, fine };
+  return count === PLACES && wanted > 1.3 * count && thin > HELD * sizeOf(loops)
+    ? axisOf(loops, wanted)
+    : { axis, fine };
 }
 
 export interface Silhouette extends Fitted {
@@ -105,6 +107,8 @@ const DETAIL: readonly { readonly branch: number; readonly few: SimplifyOptions 
 ];
 /** of the longer side of the outline, where it is off most but for corners */
 const ENOUGH = 0.01;
+/** of the same: what has no larger circle is a line */
+const HELD = 1e-5;
 /** share by which a finer skeleton has to be nearer */
 const BETTER = 0.1;
 
@@ -120,16 +124,17 @@ export function silhouetteOf(
   { width = 'fitted', quick = false, skeleton = 'ours' }: SilhouetteOptions = {},
 ): Silhouette | null {
   const whole = held(loops);
+  const size = sizeOf(whole);
   let best: Silhouette | null = null;
   const skeletons = skeleton === 'paper' ? [() => skeletonPaper(whole)] : skeletonsOf(whole, quick);
   for (const make of skeletons) {
     const graph = make();
-    if (!graph.nodes.some(({ radius }) => radius > 0)) return null;
+    if (!graph.nodes.some(({ radius }) => radius > HELD * size)) return null;
     const own = width === 'given' ? params : widthOf([graph], kernel, params);
     const options = quick ? { ...FITTING, moves: 0 } : FITTING;
     const found = fitted(graph, whole, kernel, own, threshold, options, quick ? QUICK : FITTED);
     if (!best || found.nearly < (1 - BETTER) * best.nearly) best = found;
-    if (found.nearly <= ENOUGH * sizeOf(whole)) break;
+    if (found.nearly <= ENOUGH * size) break;
   }
   return best;
 }
@@ -137,6 +142,7 @@ export function silhouetteOf(
 function skeletonsOf(loops: readonly Loop[], quick: boolean): readonly (() => MedialGraph)[] {
   const levels = quick ? DETAIL.slice(1, 2) : DETAIL;
   const { axis, fine } = axisOf(loops, quick ? QUICK : PLACES);
+  if (!axis.nodes.some(({ radius }) => radius > HELD * sizeOf(loops))) return [];
   const branches = levels.map(({ branch }) => branch);
   return prunings(axis, fine, branches).map((make, level) => () => simplify(make(), levels[level]!.few));
 }
