@@ -1,7 +1,7 @@
 /** `rotund info`: what is in a drawing. */
 
 import { hasSurface, solidOf } from '../document/build.ts';
-import { isBody } from '../document/document.ts';
+import { isSurface } from '../document/document.ts';
 import { type Args, inputOf } from './args.ts';
 import { INFO } from './commands.ts';
 import { readInput } from './input.ts';
@@ -14,7 +14,7 @@ const COARSE = { u: 4, v: 4 };
 export async function info(args: Args): Promise<void> {
   const { drawing } = await readInput(inputOf(INFO, args));
   const { document } = drawing;
-  const surfaces = document.parts.filter((part) => !isBody(part) && !part.hidden);
+  const surfaces = document.parts.filter((part) => isSurface(part) && !part.hidden);
   const without = surfaces.filter((part) => !hasSurface(solidOf(part, COARSE)));
   result({
     ...countsOf(document),

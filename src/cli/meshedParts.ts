@@ -2,8 +2,9 @@
 import { CELLS } from '../document/bodies.ts';
 import { hasSurface, type Resolution, type Solid, solidOf } from '../document/build.ts';
 import { cellsOfBodies } from '../document/cells.ts';
-import { type Document, isBody, type Part } from '../document/document.ts';
+import { type Document, isImplicit, type Part } from '../document/document.ts';
 import { boxOfMesh } from '../document/extent.ts';
+import { nodeOf } from '../document/solidNode.ts';
 import type { FieldNode } from '../field/node.ts';
 import { type BodyMaker, type MadeBody, shownWhole } from './bodyMaker.ts';
 import { measuresOf, type PartMeasures } from './measures.ts';
@@ -90,7 +91,7 @@ interface Built {
 
 async function built(part: Part, { name, quads }: Building, bodies: Bodies): Promise<Built> {
   try {
-    const body = isBody(part) ? await bodies.of(part.node, part.name) : null;
+    const body = isImplicit(part) ? await bodies.of(nodeOf(part), part.name) : null;
     const solid = solidOf(part, quads);
     if (solid && hasSurface(solid)) checkPlaced(solid, body?.cells ?? quads.u);
     return { solid, body };

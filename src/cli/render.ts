@@ -1,6 +1,7 @@
 /** `rotund render`: the picture the application shows, drawn by the same element in headless Chromium. */
-import { type Document, isBody } from '../document/document.ts';
+import { type Document, isImplicit } from '../document/document.ts';
 import type { Drawing } from '../document/drawing.ts';
+import { nodeOf } from '../document/solidNode.ts';
 import type { Flaw } from '../element/flaws.ts';
 import type { Shot } from '../element/shot.ts';
 import { type Comparison, zhuSum } from '../field/zhuImage.ts';
@@ -51,13 +52,13 @@ function shotOf(values: Args['values']) {
 
 /** Zhu et al. have no others. */
 function checkSums({ parts }: Document, input: string): void {
-  const bodies = parts.filter(isBody).filter(({ hidden }) => !hidden);
+  const bodies = parts.filter(isImplicit).filter(({ hidden }) => !hidden);
   if (bodies.length === 0) throw new Problem(`${input}: there is no implicit body to cast rays at`);
-  for (const { name, node } of bodies) {
+  for (const part of bodies) {
     try {
-      zhuSum(node);
+      zhuSum(nodeOf(part));
     } catch (error) {
-      throw new Problem(`${input}: ${name}: ${firstLine(error)}`);
+      throw new Problem(`${input}: ${part.name}: ${firstLine(error)}`);
     }
   }
 }

@@ -1,7 +1,8 @@
 /** What of a drawing is left out, and what is in it. */
 
-import { type BodyCounts, bodyCounts, sumOf } from '../document/bodyCounts.ts';
-import { type Document, isBody, type Part, strokesOf } from '../document/document.ts';
+import { type BodyCounts, countsOfPart, sumOf } from '../document/bodyCounts.ts';
+import { type Document, isImplicit, isSurface, type Part, strokesOf } from '../document/document.ts';
+import { nodeOf } from '../document/solidNode.ts';
 import { bindField } from '../field/bind.ts';
 import { PAGE } from '../field/polygonize.ts';
 
@@ -16,7 +17,7 @@ export interface Counts extends BodyCounts {
 export function countsOf({ parts, draft }: Document): Counts {
   const inParts = parts.reduce((sum, part) => sum + strokesOf(part).length, 0);
   const strokes = inParts + (draft?.strokes.length ?? 0);
-  const bodies = parts.filter(isBody).map(({ node }) => bodyCounts(node));
+  const bodies = parts.filter(isImplicit).map(countsOfPart);
   return { parts: parts.length, strokes, ...sumOf(bodies) };
 }
 
@@ -34,15 +35,17 @@ export function leftOut({ parts, draft }: Document): string[] {
 
 /** Bodies that are shown only as far as a page reaches. */
 export function withoutEnd({ parts }: Document): string[] {
-  const endless = parts.filter((part) => isBody(part) && !part.hidden && bindField(part.node).box === null);
+  const endless = parts.filter(
+    (part) => isImplicit(part) && !part.hidden && bindField(nodeOf(part)).box === null,
+  );
   if (endless.length === 0) return [];
   return [`${counted(endless, 'part')} without end and cut off at ±${PAGE} mm: ${namesOf(endless)}`];
 }
 
 /** Parts that are shown but have no surface. */
 export function withoutSurface(parts: readonly Part[]): string[] {
-  const bodies = parts.filter(isBody);
-  const surfaces = parts.filter((part) => !isBody(part));
+  const bodies = parts.filter(isImplicit);
+  const surfaces = parts.filter(isSurface);
   const left = (some: readonly Part[], why: string) =>
     some.length > 0 ? [`${counted(some, 'part')} left out, because ${why}: ${namesOf(some)}`] : [];
   return [...left(surfaces, 'the strokes make no surface'), ...left(bodies, NOWHERE)];
@@ -54,7 +57,7 @@ export function nothingBecause({ parts, draft }: Document): string {
     return draft ? 'the drawing holds an unfinished form only; keep it first' : 'the drawing has no parts';
   }
   if (parts.every(({ hidden }) => hidden)) return 'all parts are hidden';
-  return parts.some(isBody) ? 'its parts make no surface' : 'the strokes of its parts make no surface';
+  return parts.some(isImplicit) ? 'its parts make no surface' : 'the strokes of its parts make no surface';
 }
 
 const NOWHERE = 'the field is nowhere above 0, or only where no cell sees it';

@@ -1,6 +1,7 @@
 /** What `rotund mesh` says of bodies that are thinner than their cells. */
 import { cellsOfBodies, wanting } from '../document/cells.ts';
-import { type Document, isBody, type Part } from '../document/document.ts';
+import { type Document, isImplicit, type Part } from '../document/document.ts';
+import { nodeOf } from '../document/solidNode.ts';
 import { RESOLUTION } from '../field/lattice.ts';
 import { place3 } from '../math/placement.ts';
 import type { Vec3 } from '../math/vec.ts';
@@ -31,11 +32,11 @@ export interface MadePart {
 const ROUND = 8;
 
 export function thinBody(document: Document, part: Part, body: MadeBody | null): MadePart {
-  if (!isBody(part) || !body) return { backend: 'cpu', cells: null, thin: null };
+  if (!isImplicit(part) || !body) return { backend: 'cpu', cells: null, thin: null };
   const { backend, cells, mesh } = body;
   const { thin } = mesh;
   if (!thin) return { backend, cells, thin: null };
-  const share = cellsOfBodies(document, RESOLUTION.max)(part.node) / RESOLUTION.max;
+  const share = cellsOfBodies(document, RESOLUTION.max)(nodeOf(part)) / RESOLUTION.max;
   const enough = ROUND * Math.ceil((cells * wanting(thin)) / share / ROUND);
   const { places, gaps, least, at } = thin;
   const resolution = enough <= RESOLUTION.max ? enough : null;

@@ -2,7 +2,11 @@
  * What is in a body, in ConvMo's words (Tai et al. 2004): a component is a convolution sum, whose groups blend; a group has the
  * skels of one silhouette. Until silhouettes exist a sum is one group. Curves count as one skel each; shapes are none.
  */
+
 import type { FieldNode } from '../field/node.ts';
+import { type BodyPart, isSolid, type SolidPart } from './document.ts';
+import { groupsOf } from './solid.ts';
+import { nodeOf } from './solidNode.ts';
 
 export interface BodyCounts {
   readonly components: number;
@@ -27,6 +31,13 @@ export function bodyCounts(node: FieldNode): BodyCounts {
     default:
       return sumOf(node.parts.map(bodyCounts));
   }
+}
+
+/** Of a solid, what strokes say: its components and groups, and what skels are made of them. */
+export function countsOfPart(part: BodyPart | SolidPart): BodyCounts {
+  const counts = bodyCounts(nodeOf(part));
+  if (!isSolid(part)) return counts;
+  return { components: part.components.length, groups: groupsOf(part).length, skels: counts.skels };
 }
 
 export const sumOf = (counts: readonly BodyCounts[]): BodyCounts =>

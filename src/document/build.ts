@@ -5,22 +5,22 @@
  */
 import type { Mesh } from '../mesh/mesh.ts';
 import { placed } from '../mesh/placed.ts';
-import { curveOf } from '../stroke/arcLength.ts';
 import type { Curve } from '../stroke/curve.ts';
-import { filterStroke } from '../stroke/filter.ts';
 import type { Stroke } from '../stroke/stroke.ts';
 import { buildSurface, type SurfaceKind } from '../surface/index.ts';
 import { bodyMade } from './bodies.ts';
+import { curveOfStroke } from './curves.ts';
 import {
   type Brush,
   colourOf,
   type Document,
-  isBody,
+  isSurface,
   type Part,
   readingOf,
   type SurfacePart,
 } from './document.ts';
-import { FRONT_VIEW } from './drawing.ts';
+import { draftPart, hasDraftGroup, joinedOf } from './draftPart.ts';
+import { nodeOf } from './solidNode.ts';
 
 /** Quads along and around a parametric surface. */
 export interface Resolution {
@@ -38,21 +38,6 @@ export interface Solid {
   /** #rrggbb; where the mesh has colours of its own those count */
   readonly colour: string;
   readonly mesh: Mesh;
-}
-
-const curves = new WeakMap<Stroke, { filter: string; levels: number; curve: Curve | null }>();
-
-/** The filtered stroke; null when it is too short to be a line. */
-export function curveOfStroke(stroke: Stroke, brush: Pick<Brush, 'filter' | 'levels'>): Curve | null {
-  const known = curves.get(stroke);
-  if (known && known.filter === brush.filter && known.levels === brush.levels) return known.curve;
-  const { filter, levels } = brush;
-  // A hand trembles on the screen: drawn closer up, the same trembling is fewer millimetres. The grain is 1 mm in the first view.
-  const grain = stroke.view.height / FRONT_VIEW.height;
-  const filtered = filterStroke(stroke.samples, { filter, levels, closed: stroke.closed, grain });
-  const curve = filtered && curveOf(filtered);
-  curves.set(stroke, { filter, levels, curve });
-  return curve;
 }
 
 /** One surface from the strokes of one form; null when they are too short. */
@@ -81,7 +66,7 @@ const shapes = new WeakMap<readonly Stroke[], Shape[]>();
 
 /** A kept part where it was drawn; null when its strokes are too short, or the body is not made yet. */
 export function shapeOf(part: Part, resolution: Resolution = RESOLUTION): Mesh | null {
-  return isBody(part) ? (bodyMade(part.node)?.mesh ?? null) : surfaceOf(part, resolution);
+  return isSurface(part) ? surfaceOf(part, resolution) : (bodyMade(nodeOf(part))?.mesh ?? null);
 }
 
 function surfaceOf({ kind, strokes, brush }: SurfacePart, resolution: Resolution): Mesh | null {
@@ -102,7 +87,7 @@ const parts = new WeakMap<Part, { readonly source: object | null; readonly solid
 
 /** A kept part as a mesh, where it was moved to; null when there is none (see `shapeOf`). */
 export function solidOf(part: Part, resolution: Resolution = RESOLUTION): Solid | null {
-  const source = isBody(part) ? bodyMade(part.node) : resolution;
+  const source = isSurface(part) ? resolution : bodyMade(nodeOf(part));
   const known = parts.get(part);
   if (known && known.source === source) return known.solid;
   const mesh = shapeOf(part, resolution);
@@ -115,7 +100,7 @@ export function solidOf(part: Part, resolution: Resolution = RESOLUTION): Solid 
 /** of bodies nobody painted, #rrggbb: what a tree takes for it (field/bind.ts), as it is shown */
 export const CLAY = '#cbcbcb';
 
-/** In its place; one colour covers those of the mesh. */
+/** In its place; one colour covers those of the mesh, and says more exactly what all of its groups have. */
 function painted(part: Part, shape: Mesh): Pick<Solid, 'colour' | 'mesh'> {
   const colour = colourOf(part);
   const { colours, ...plain } = shape;
@@ -123,9 +108,10 @@ function painted(part: Part, shape: Mesh): Pick<Solid, 'colour' | 'mesh'> {
   return { colour: colour ?? CLAY, mesh: placed(mesh, part.placement) };
 }
 
-/** The kept parts that are not hidden, as meshes. */
+/** The kept parts that are not hidden, as meshes, but for one that the unfinished form becomes a part of. */
 export function solids(document: Document, resolution: Resolution = RESOLUTION): Solid[] {
-  const shown = document.parts.filter(({ hidden }) => !hidden);
+  const joined = joinedOf(document)?.id;
+  const shown = document.parts.filter(({ hidden, id }) => !hidden && id !== joined);
   return shown.map((part) => solidOf(part, resolution)).filter((solid) => solid !== null);
 }
 
@@ -133,6 +119,7 @@ export function solids(document: Document, resolution: Resolution = RESOLUTION):
 export function draftIsWhole(document: Document): boolean {
   const kind = readingOf(document);
   if (kind === null) return true;
+  if (kind === 'solid') return hasDraftGroup(document);
   const forms = kind === 'tube' ? (document.draft?.strokes.length ?? 0) : 1;
   try {
     const found = draftSolids(document);
@@ -144,11 +131,16 @@ export function draftIsWhole(document: Document): boolean {
 
 const drafts = new WeakMap<readonly Stroke[], { brush: Brush; kind: SurfaceKind; solids: Solid[] }>();
 
-/** The unfinished form as meshes: one, or one a stroke while every stroke stays a tube. */
+/** The unfinished form as meshes: one, or one a stroke while every stroke stays a tube; of a solid all of it, when it is made. */
 export function draftSolids(document: Document): Solid[] {
   const kind = readingOf(document);
   const strokes = document.draft?.strokes;
   if (kind === null || !strokes) return [];
+  if (kind === 'solid') {
+    const part = draftPart(document);
+    const solid = part && solidOf(part);
+    return solid ? [solid] : [];
+  }
   const known = drafts.get(strokes);
   if (known && known.kind === kind && known.brush === document.brush) return known.solids;
   const forms = kind === 'tube' ? strokes.map((stroke) => [stroke]) : [strokes];

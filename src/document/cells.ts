@@ -16,8 +16,9 @@ import { place3 } from '../math/placement.ts';
 import type { Box } from '../skeleton/skeleton.ts';
 import { type Body, CELLS } from './bodies.ts';
 import { shapeOf } from './build.ts';
-import { type Document, isBody, type Part } from './document.ts';
+import { type Document, isImplicit, type Part } from './document.ts';
 import { boxOfMesh } from './extent.ts';
+import { nodeOf } from './solidNode.ts';
 
 /** Of a small body: its own longest side has so many at least, or it would be a crumb. */
 const FEWEST = 32;
@@ -79,7 +80,7 @@ function boxOfBody(node: FieldNode): Box | null {
 }
 
 function placedBoxOf(part: Part): Box | null {
-  const box = isBody(part) ? boxOfBody(part.node) : boxOfSurface(part);
+  const box = isImplicit(part) ? boxOfBody(nodeOf(part)) : boxOfSurface(part);
   if (!box) return null;
   const corners = Array.from({ length: 8 }, (_, i) => {
     const end = (axis: 0 | 1 | 2) => ((i >> axis) & 1 ? box.max : box.min)[axis];

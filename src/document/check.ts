@@ -4,10 +4,12 @@
  */
 import * as v from 'valibot';
 import type { Stroke } from '../stroke/stroke.ts';
+import { itemsOf } from './command/changeParts.ts';
 import { apply, type Command } from './command/index.ts';
 import { command as commandSchema, idsOf } from './commandSchema.ts';
 import type { Document } from './document.ts';
 import type { Drawing } from './drawing.ts';
+import { documentThen } from './earlier.ts';
 import { FileError, placeOf, shown } from './fileError.ts';
 import { commands as commandsSchema, drawing as drawingSchema } from './fileSchema.ts';
 import { REFUSED } from './rules.ts';
@@ -61,8 +63,8 @@ export const checkDocument = (value: unknown): Document =>
 
 /** As in memory or as in a `.rotund` file. */
 export function checkDrawing(value: unknown): Drawing {
-  const { name, view, look, document } = checked(drawingSchema, value, { file: 'drawing' });
-  return { name, view, look, document };
+  const { name, view, look, version, document } = checked(drawingSchema, value, { file: 'drawing' });
+  return { name, view, look, document: documentThen(document, version) };
 }
 
 /** With `document` also whether the parts it names are there, and whether the document could take it. */
@@ -88,7 +90,7 @@ export function applyChecked(
   { file, path = [] }: Whereabouts,
 ): Document {
   const ids = idsOf(command);
-  const known = new Set(ids.length ? document.parts.map(({ id }) => id) : []);
+  const known = new Set(ids.length ? itemsOf(document).map(({ id }) => id) : []);
   const missing = ids.findIndex((id) => !known.has(id));
   if (missing >= 0) {
     const place = 'id' in command ? ['id'] : ['ids', missing];

@@ -1,18 +1,37 @@
 /** What a command in a script may look like: one line a command, and the compiler holds the list to the commands. */
 import * as v from 'valibot';
 import type { Command } from './command/index.ts';
-import { fields, flag, list, text } from './fields.ts';
-import { LIMITS } from './limits.ts';
+import { fields, flag, list, number, text } from './fields.ts';
+import { LIMITS, RANGES } from './limits.ts';
 import { node } from './nodeSchema.ts';
-import { brushChange, colour, document, name, placement, point, stroke } from './schema.ts';
+import {
+  brushChange,
+  colour,
+  componentChange,
+  document,
+  form,
+  groupChange,
+  intent,
+  joins,
+  name,
+  placement,
+  point,
+  skeleton,
+  stroke,
+  unitVector,
+  wholePart,
+} from './schema.ts';
 
 const ids = list(name, LIMITS.strokes, 'ids');
+
+const mirrorFields = { about: point, normal: unitVector };
+const mirror = fields(mirrorFields);
 
 const kind = <const T extends Command['type'], const E extends v.ObjectEntries>(type: T, data: E) =>
   fields({ type: v.literal(type, `"${type}"`), ...data });
 
 const kinds = [
-  kind('addStroke', { stroke }),
+  kind('addStroke', { stroke, ...intent }),
   kind('addBody', {
     node,
     name: v.exactOptional(v.string('a text')),
@@ -31,7 +50,19 @@ const kinds = [
   kind('setPartBrush', { ids, change: brushChange }),
   kind('showParts', { ids, visible: flag }),
   kind('moveParts', { ids, by: placement }),
-  kind('duplicateParts', { ids, offset: point }),
+  kind('duplicateParts', { ids, offset: point, mirror: v.exactOptional(mirror) }),
+  kind('scaleParts', { ids, factor: number(RANGES.factor), about: point }),
+  kind('mirrorParts', { ids, ...mirrorFields }),
+  kind('paste', { parts: list(wholePart, LIMITS.strokes, 'parts'), offset: point }),
+  kind('setForm', {
+    form: v.exactOptional(v.nullable(form)),
+    joins: v.exactOptional(v.nullable(joins)),
+    carves: v.exactOptional(flag),
+  }),
+  kind('setGroups', { ids, change: groupChange }),
+  kind('setComponents', { ids, change: componentChange }),
+  kind('moveGroups', { ids, to: v.nullable(joins) }),
+  kind('editSkeleton', { id: name, skeleton: v.nullable(skeleton) }),
   kind('load', { document, name: v.optional(text(0, LIMITS.drawingName), '') }),
 ] as const;
 

@@ -7,6 +7,7 @@ import type { Placement } from '../math/placement.ts';
 import type { FilterOptions } from '../stroke/filter.ts';
 import type { Stroke } from '../stroke/stroke.ts';
 import type { SurfaceKind } from '../surface/index.ts';
+import { type Component, type Form, groupsOf, isForm } from './solid.ts';
 
 /** What the next form is made with; a kept part has its own copy. */
 export interface Brush {
@@ -47,20 +48,57 @@ export interface BodyPart extends Kept {
   readonly colour: string | null;
 }
 
-/** One kept form. */
-export type Part = SurfacePart | BodyPart;
+/** An implicit body made from strokes: components that stand side by side, each of groups that blend (Tai et al. 2004, §6). */
+export interface SolidPart extends Kept {
+  readonly kind: 'solid';
+  readonly components: readonly Component[];
+}
 
+/** One kept form. */
+export type Part = SurfacePart | BodyPart | SolidPart;
+
+/** Its tree is its truth. */
 export const isBody = (part: Part): part is BodyPart => part.kind === 'body';
+/** Its tree is derived from strokes (solidNode.ts). */
+export const isSolid = (part: Part): part is SolidPart => part.kind === 'solid';
+export const isSurface = (part: Part): part is SurfacePart => !isBody(part) && !isSolid(part);
+
+/** A field has its surface: of a tree, or of strokes. */
+export const isImplicit = (part: Part): part is BodyPart | SolidPart => !isSurface(part);
 
 /** #rrggbb; null where a part has several. */
-export const colourOf = (part: Part): string | null => (isBody(part) ? part.colour : part.brush.colour);
+export function colourOf(part: Part): string | null {
+  if (isBody(part)) return part.colour;
+  if (isSurface(part)) return part.brush.colour;
+  const [first, ...others] = groupsOf(part).map(({ brush }) => brush.colour);
+  return others.every((colour) => colour === first) ? (first ?? null) : null;
+}
 
 /** What a part is made of. */
-export const strokesOf = (part: Part): readonly Stroke[] => (isBody(part) ? [] : part.strokes);
+export function strokesOf(part: Part): readonly Stroke[] {
+  if (isSolid(part)) return groupsOf(part).flatMap(({ strokes }) => strokes);
+  return isBody(part) ? [] : part.strokes;
+}
 
 /** The unfinished form: strokes not yet kept. It takes the document's brush until then. */
 export interface Draft {
   readonly strokes: readonly Stroke[];
+  /** what a person chose to make of them; without it their number decides, and whether they are closed */
+  readonly form?: Form | SurfaceKind;
+  /** of a solid: it takes away from what it joins */
+  readonly carves?: true;
+  /** of a solid: which one it becomes a part of */
+  readonly joins?: Joins;
+  /** Only shown, while the pen moves: roughly, and at once. No file has it. */
+  readonly isRough?: true;
+}
+
+/** Where a group goes: into a component, where it blends, or beside the others of a solid. */
+export interface Joins {
+  /** id of the part */
+  readonly solid: string;
+  /** id; null: one of its own */
+  readonly component: string | null;
 }
 
 export interface Document {
@@ -95,9 +133,15 @@ export const EMPTY_DOCUMENT: Document = {
   nextId: 1,
 };
 
-/** The number of strokes decides the surface; closed and open strokes do not pair. */
-export function readingOf(document: Document): SurfaceKind | null {
-  const strokes = document.draft?.strokes ?? [];
+/** What an unfinished form is. */
+export type Reading = SurfaceKind | 'solid';
+
+/** What a person chose; else a closed stroke is a silhouette, and of open ones the number decides. */
+export function readingOf({ draft, tubesOnly }: Document): Reading | null {
+  const { strokes = [], form } = draft ?? {};
   if (strokes.length === 0) return null;
-  return strokes.length > 1 && !document.tubesOnly ? 'rotational' : 'tube';
+  if (form !== undefined && isForm(form)) return 'solid';
+  if (tubesOnly || form === 'tube') return 'tube';
+  if (strokes[0]!.closed && form === undefined) return 'solid';
+  return strokes.length > 1 ? 'rotational' : 'tube';
 }

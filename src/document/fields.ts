@@ -51,6 +51,12 @@ export function list<S extends v.GenericSchema>(item: S, most: number, what: str
   return v.pipe(v.array(item, expected), v.maxLength(most, expected));
 }
 
+/** A list that is not empty. */
+export function some<S extends v.GenericSchema>(item: S, most: number, what: string) {
+  const expected = `a list of 1 to ${most} ${what}`;
+  return v.pipe(v.array(item, expected), v.minLength(1, expected), v.maxLength(most, expected));
+}
+
 const expectedOf = (schema: v.GenericSchema): string => {
   const { message } = schema as { readonly message?: unknown };
   return typeof message === 'string' ? message : 'an object';

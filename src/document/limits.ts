@@ -4,6 +4,7 @@
  */
 import { FARTHEST } from '../stroke/stroke.ts';
 import { LONGEST_NAME } from './command/renamePart.ts';
+import { RADII } from './radii.ts';
 
 /** The smallest and the largest value allowed. */
 export interface Range {
@@ -23,7 +24,17 @@ export const RANGES = {
   /** degrees, beside 0 = orthographic */
   fov: { min: 1, max: 120 },
   /** mm */
-  radius: { min: 0.1, max: 200 },
+  radius: RADII,
+  /** of skeletons, mm */
+  skeletonRadius: { min: 1e-6, max: FARTHEST },
+  /** of groups: λ, and what breadth, depth and radii are multiplied by */
+  weight: around(100),
+  factor: { min: 0.01, max: 100 },
+  /** α of cross sections */
+  exponent: { min: 0.3, max: 100 },
+  density: { min: 1, max: 64 },
+  /** T */
+  fieldThreshold: { min: 1e-6, max: 1e6 },
   levels: { min: 0, max: 6 },
   pressure: { min: 0, max: 1 },
   /** degrees */
@@ -52,6 +63,10 @@ export const LIMITS = {
   strokes: 10_000,
   /** in a sum of a body, or parts of one of its operations */
   skels: 100_000,
+  /** circles of a skeleton that was edited */
+  nodes: 2_000,
+  /** factors of a profile */
+  profile: 64,
   /** in a stroke: 7 minutes of a pen that reports 240 times a second */
   samples: 100_000,
   /** in a document, values of bodies among them: what is read can be saved, within the characters of a file, and be read again */

@@ -9,14 +9,7 @@ import { type Shape, shapes } from '../shape/index.ts';
 import { fields, finite, list, numbers, oneOf } from './fields.ts';
 import { LIMITS } from './limits.ts';
 import { bindable } from './rules.ts';
-import { colour, term } from './skelSchema.ts';
-
-/** Kernels say which parameters there are. */
-const params = fields(
-  Object.fromEntries(
-    kernels.flatMap((kernel) => kernel.params.map(({ name }) => [name, v.exactOptional(finite)])),
-  ),
-);
+import { colour, params, term } from './skelSchema.ts';
 
 /** A shape's first example says which fields it has: a number or a few. */
 const shape = v.variant(

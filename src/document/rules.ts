@@ -7,15 +7,18 @@ import { bindField } from '../field/bind.ts';
 import type { FieldNode } from '../field/node.ts';
 import type { Plane } from '../math/plane.ts';
 import { dot3, length3 } from '../math/tuple.ts';
-import type { Quat } from '../math/vec.ts';
+import type { Quat, Vec3 } from '../math/vec.ts';
+import type { MedialGraph } from '../skeleton/medial/axis.ts';
 import { FieldError } from '../skeleton/skeleton.ts';
 import type { Stroke } from '../stroke/stroke.ts';
 import { surfaces } from '../surface/index.ts';
-import { belongTogether } from './command/addStroke.ts';
-import type { BodyPart, Document, Draft, Part, SurfacePart } from './document.ts';
+import { belongTogether, MOST_HOLES } from './command/addStroke.ts';
+import { itemsOf } from './command/changeParts.ts';
+import type { BodyPart, Document, Draft, Part, SolidPart, SurfacePart } from './document.ts';
 import { LIMITS, UNIT_TOLERANCE } from './limits.ts';
 import { type Fault, pathTo } from './samples.ts';
 import { isTooLarge, SIZE } from './size.ts';
+import { type Component, type Group, isForm } from './solid.ts';
 import { WORD } from './words.ts';
 
 /** A rule as a step of a schema; it is asked only where every field is what it should be. */
@@ -42,6 +45,11 @@ export const planeRules = <T extends Plane>() =>
     return fits ? null : { expected: 'a unit vector at right angles to x', path: ['y'] };
   });
 
+export const unitRules = <T extends Vec3>() =>
+  rule<T>((vector) =>
+    isNear(length3(vector), 1) ? null : { expected: 'a unit vector, three numbers', path: [] },
+  );
+
 export const rotationRules = <T extends Quat>() =>
   rule<T>((q) => {
     const length = Math.sqrt(q.reduce((sum, value) => sum + value * value, 0));
@@ -67,9 +75,31 @@ export const partRules = <T extends Pick<SurfacePart, 'kind' | 'strokes'>>() =>
 const MOST_STROKES = Math.max(...Object.values(surfaces).map(({ strokes }) => strokes));
 
 export const draftRules = <T extends Draft>() =>
-  rule<T>(({ strokes }) => {
-    if (strokes.length >= 1 && strokes.length <= MOST_STROKES) return strayIn(strokes);
-    return { expected: `1 to ${MOST_STROKES} strokes, else null for the whole draft`, path: ['strokes'] };
+  rule<T>(({ strokes, form }) => {
+    const [first] = strokes;
+    const isSolid = form === undefined ? first?.closed : isForm(form);
+    const most = isSolid ? MOST_HOLES + 1 : MOST_STROKES;
+    if (strokes.length >= 1 && strokes.length <= most) return strayIn(strokes);
+    return { expected: `1 to ${most} strokes, else null for the whole draft`, path: ['strokes'] };
+  });
+
+/** Outlines have holes; everything else is of one stroke. */
+export const groupRules = <T extends Pick<Group, 'form' | 'strokes' | 'shape'>>() =>
+  rule<T>(({ form, strokes, shape: { section, exponent } }) => {
+    if (section === 'extrusion' && exponent < 2)
+      return { expected: 'a number from 2 to 100, of an extrusion', path: ['shape', 'exponent'] };
+    const most = form === 'soft' || form === 'plate' ? MOST_HOLES + 1 : 1;
+    if (strokes.length >= 1 && strokes.length <= most) return strayIn(strokes);
+    return {
+      expected: most > 1 ? `1 to ${most} strokes` : `1 stroke, which "${form}" is made of`,
+      path: ['strokes'],
+    };
+  });
+
+export const graphRules = <T extends MedialGraph>() =>
+  rule<T>(({ nodes, links }) => {
+    const stray = links.findIndex(([a, b]) => a >= nodes.length || b >= nodes.length || a === b);
+    return stray < 0 ? null : { expected: 'two indices of circles that are there', path: ['links', stray] };
   });
 
 /** One of two fields is there, and not the other. */
@@ -103,42 +133,75 @@ export const bindable = () =>
 const stepsOf = (place: string): PropertyKey[] =>
   (place.match(/\w+/g) ?? []).map((step) => (/^\d+$/.test(step) ? Number(step) : step));
 
-type Unnamed<P> = P extends Part
-  ? Omit<P, 'id' | 'name'> & { readonly id?: string | undefined; readonly name?: string | undefined }
-  : never;
+type Unnamed<P> = Omit<P, 'id' | 'name'> & {
+  readonly id?: string | undefined;
+  readonly name?: string | undefined;
+};
+
+type UnnamedSolid = Unnamed<Omit<SolidPart, 'components'>> & {
+  readonly components: readonly (Unnamed<Omit<Component, 'groups'>> & {
+    readonly groups: readonly Unnamed<Group>[];
+  })[];
+};
 
 /** A document whose parts may lack what can be worked out. */
 export type Incomplete = Omit<Document, 'parts' | 'nextId'> & {
-  readonly parts: readonly (Unnamed<SurfacePart> | Unnamed<BodyPart>)[];
+  readonly parts: readonly (Unnamed<SurfacePart> | Unnamed<BodyPart> | UnnamedSolid)[];
   readonly nextId?: number | undefined;
 };
 
 /** Ids, names and the next number, where they were left out. */
 export function completed(document: Incomplete): Document {
-  const parts = document.parts.map((part, i): Part => {
+  const named = document.parts.map((part, i) => {
     const { id = `part-${i + 1}`, name = `${WORD[part.kind]} ${i + 1}` } = part;
     return { ...part, id, name };
   });
+  // numbers of what is in solids begin after all that are there
+  let free = 1 + Math.max(highestNumber(named), named.length);
+  const parts = named.map(
+    (part): Part => (part.kind === 'solid' ? completedSolid(part, () => free++) : part),
+  );
   const { nextId = HIGH } = document;
-  return { ...document, parts, nextId: nextId < HIGH ? nextId : 1 + highestNumber(parts) };
+  return { ...document, parts, nextId: nextId < HIGH ? nextId : 1 + highestNumber(allOf(parts)) };
+}
+
+function completedSolid(part: UnnamedSolid & Pick<SolidPart, 'id' | 'name'>, free: () => number): SolidPart {
+  const components = part.components.map((component): Component => {
+    const groups = component.groups.map((group): Group => {
+      const number = group.id === undefined || group.name === undefined ? free() : 0;
+      return {
+        ...group,
+        id: group.id ?? `group-${number}`,
+        name: group.name ?? `${WORD[group.form]} ${number}`,
+      };
+    });
+    const number = component.id === undefined || component.name === undefined ? free() : 0;
+    const { id = `component-${number}`, name = `${WORD.component} ${number}` } = component;
+    return { ...component, id, name, groups };
+  });
+  return { ...part, components };
 }
 
 /** Numbers stay so far below what integers can be that no amount of drawing gets there. */
 const HIGH = 4e15;
 
-/** Of ids as the program gives them, `part-7`; longer numbers are words like any other. */
-function highestNumber(parts: readonly Part[]): number {
-  return parts.reduce((most, { id }) => Math.max(most, Number(/^part-(\d{1,15})$/.exec(id)?.[1] ?? 0)), 0);
+/** Of ids as the program gives them, `part-7`, `group-8`; longer numbers are words like any other. */
+function highestNumber(items: readonly { readonly id: string }[]): number {
+  const numberIn = (id: string) => Number(/^(?:part|component|group)-(\d{1,15})$/.exec(id)?.[1] ?? 0);
+  return items.reduce((most, { id }) => Math.max(most, numberIn(id)), 0);
 }
+
+const allOf = (parts: readonly Part[]) => itemsOf({ parts } as Document);
 
 export const documentRules = <T extends Document>() =>
   rule<T>((document) => {
     const { parts, nextId } = document;
     if (isTooLarge(document)) return { expected: SIZE, path: ['parts'] };
     const seen = new Set<string>();
-    const twin = parts.findIndex(({ id }) => seen.size === seen.add(id).size);
-    if (twin >= 0) return { expected: 'an id that no other part has', path: ['parts', twin, 'id'] };
-    const highest = highestNumber(parts);
+    const isTwin = ({ id }: { readonly id: string }) => seen.size === seen.add(id).size;
+    const twin = parts.findIndex((part) => allOf([part]).some(isTwin));
+    if (twin >= 0) return { expected: 'an id that nothing else has', path: ['parts', twin, 'id'] };
+    const highest = highestNumber(allOf(parts));
     if (nextId > highest) return null;
     return { expected: `a whole number above ${highest}, which is in use`, path: ['nextId'] };
   });

@@ -3,17 +3,28 @@
  * `rules.ts`). Fields with an obvious default may be left out.
  */
 import * as v from 'valibot';
+import { kernels } from '../kernel/index.ts';
 import { UNMOVED } from '../math/placement.ts';
 import { surfaces } from '../surface/index.ts';
-import type { Brush, Document } from './document.ts';
-import { DEFAULT_BRUSH } from './document.ts';
+import { type Brush, DEFAULT_BRUSH, type Document, EMPTY_DOCUMENT, type Part } from './document.ts';
 import { FRONT_VIEW } from './drawing.ts';
-import { between, fields, flag, list, number, oneOf, text, whole } from './fields.ts';
+import { between, fields, flag, list, number, oneOf, some, text, whole } from './fields.ts';
 import { LIMITS, RANGES, type Range } from './limits.ts';
 import { BACKGROUNDS, DEFAULT_LOOK, KERNEL_CHOICES, type Look, MODES, STYLES } from './look.ts';
 import { node } from './nodeSchema.ts';
-import { completed, documentRules, draftRules, partRules, planeRules, rotationRules } from './rules.ts';
+import {
+  completed,
+  documentRules,
+  draftRules,
+  graphRules,
+  groupRules,
+  partRules,
+  planeRules,
+  rotationRules,
+  unitRules,
+} from './rules.ts';
 import { samples } from './samples.ts';
+import { DEFAULT_COMPONENT, DEFAULT_SHAPE, FORMS, SECTIONS } from './solid.ts';
 
 // ── geometry ──────────────────────────────────────────────────────────────────────────────────────────────
 
@@ -60,6 +71,8 @@ export const view = fields({
   ),
   fov: v.optional(fov, FRONT_VIEW.fov),
 });
+
+export const unitVector = v.pipe(axis, unitRules());
 
 export const placement = fields({
   rotation: v.optional(rotation, UNMOVED.rotation),
@@ -126,10 +139,118 @@ export const bodyPart = fields({
   ...shown,
 });
 
-const allKinds = [...kinds, 'body'].map((kind) => `"${kind}"`).join(', ');
-export const part = v.variant('kind', [surfacePart, bodyPart], `one of ${allKinds}`);
+const finitePlane = v.strictTuple([number(RANGES.coordinate), number(RANGES.coordinate)], 'two numbers');
+const index = whole({ min: 0, max: LIMITS.nodes - 1 });
 
-export const draft = v.pipe(fields({ strokes }), draftRules());
+/** A skeleton on the plane of strokes: circles, and which are linked. */
+export const skeleton = v.pipe(
+  fields({
+    nodes: some(fields({ at: finitePlane, radius: number(RANGES.skeletonRadius) }), LIMITS.nodes, 'circles'),
+    links: v.optional(
+      v.pipe(
+        v.array(v.strictTuple([index, index], 'two indices of circles'), 'a list of links'),
+        v.maxLength(2 * LIMITS.nodes, `at most ${2 * LIMITS.nodes} links`),
+      ),
+      [],
+    ),
+  }),
+  graphRules(),
+);
+
+const positive = number(RANGES.factor);
+
+const shapeFields = {
+  weight: number(RANGES.weight),
+  breadth: positive,
+  depth: positive,
+  section: oneOf(SECTIONS),
+  exponent: number(RANGES.exponent),
+  profile: some(positive, LIMITS.profile, 'factors'),
+  density: whole(RANGES.density),
+  knots: v.nullable(list(number(RANGES.coordinate), LIMITS.nodes, 'knots')),
+};
+
+export const shape = fields({
+  weight: v.optional(shapeFields.weight, DEFAULT_SHAPE.weight),
+  breadth: v.optional(shapeFields.breadth, DEFAULT_SHAPE.breadth),
+  depth: v.optional(shapeFields.depth, DEFAULT_SHAPE.depth),
+  section: v.optional(shapeFields.section, DEFAULT_SHAPE.section),
+  exponent: v.optional(shapeFields.exponent, DEFAULT_SHAPE.exponent),
+  profile: v.optional(shapeFields.profile, [...DEFAULT_SHAPE.profile]),
+  density: v.optional(shapeFields.density, DEFAULT_SHAPE.density),
+  knots: v.optional(shapeFields.knots, DEFAULT_SHAPE.knots),
+});
+
+/** Some of what can be set of a group. */
+export const groupChange = fields({
+  form: v.exactOptional(oneOf(FORMS)),
+  weight: v.exactOptional(shapeFields.weight),
+  breadth: v.exactOptional(shapeFields.breadth),
+  depth: v.exactOptional(shapeFields.depth),
+  section: v.exactOptional(shapeFields.section),
+  exponent: v.exactOptional(shapeFields.exponent),
+  profile: v.exactOptional(shapeFields.profile),
+  density: v.exactOptional(shapeFields.density),
+  knots: v.exactOptional(shapeFields.knots),
+});
+
+export const group = v.pipe(
+  fields({
+    ...named,
+    form: oneOf(FORMS),
+    hidden: v.optional(flag, false),
+    strokes,
+    brush: v.optional(brush, {}),
+    shape: v.optional(shape, {}),
+    skeleton: v.optional(v.nullable(skeleton), null),
+  }),
+  groupRules(),
+);
+
+const kernelName = oneOf(kernels.map(({ name: kernel }) => kernel));
+const threshold = number(RANGES.fieldThreshold);
+
+export const sumOfGroups = fields({
+  ...named,
+  kernel: v.optional(kernelName, DEFAULT_COMPONENT.kernel),
+  threshold: v.optional(threshold, DEFAULT_COMPONENT.threshold),
+  groups: some(group, LIMITS.strokes, 'groups'),
+});
+
+/** Some of what can be set of a component. */
+export const componentChange = fields({
+  kernel: v.exactOptional(kernelName),
+  threshold: v.exactOptional(threshold),
+});
+
+export const solidPart = fields({
+  ...named,
+  kind: v.literal('solid', '"solid"'),
+  components: some(sumOfGroups, LIMITS.strokes, 'components'),
+  ...shown,
+});
+
+const allKinds = [...kinds, 'body', 'solid'].map((kind) => `"${kind}"`).join(', ');
+export const part = v.variant('kind', [surfacePart, bodyPart, solidPart], `one of ${allKinds}`);
+
+export const joins = fields({ solid: name, component: v.nullable(name) });
+const draftForms = [...FORMS, ...kinds] as const;
+
+/** What a stroke is to become. */
+export const intent = {
+  form: v.exactOptional(oneOf(draftForms)),
+  joins: v.exactOptional(joins),
+  carves: v.exactOptional(v.literal(true, 'true')),
+};
+export const form = oneOf(draftForms);
+
+export const draft = v.pipe(fields({ strokes, ...intent }), draftRules());
+
+/** A part in hand: nothing of it is left out, and it is complete in itself. */
+export const wholePart = v.pipe(
+  part,
+  v.transform((found): Part => completed({ ...EMPTY_DOCUMENT, parts: [found], nextId: undefined }).parts[0]!),
+);
 
 export const document = v.pipe(
   fields({

@@ -3,11 +3,14 @@
  * trusted. A script is carried out command by command, so that a command that does not fit is named. The format is
  * described in `docs/format.md`.
  */
+import type { FieldNode } from '../field/node.ts';
+import { partsOf } from '../field/numbered.ts';
 import { applyChecked, checked } from './check.ts';
 import { apply, type Command } from './command/index.ts';
-import { type Document, EMPTY_DOCUMENT, isBody } from './document.ts';
+import { type Document, EMPTY_DOCUMENT, isBody, isSolid, readingOf } from './document.ts';
 import type { Drawing } from './drawing.ts';
 import { FRONT_VIEW } from './drawing.ts';
+import { commandThen, documentThen, SOLIDS } from './earlier.ts';
 import { FileError, shown } from './fileError.ts';
 import {
   commands as commandsSchema,
@@ -51,12 +54,13 @@ function read(data: object, file: string): Drawing {
   const format = formatOf(data as { format?: unknown; version?: unknown }, file);
   if (format === SCRIPT_FORMAT) {
     const { name = ownName, view, look, version, commands } = checked(scriptFile, data, { file });
-    checkVersion(version, Math.max(1, ...new Set(commands.map(versionOfCommand))), file);
-    return { name, view, look, document: carriedOut(commands, file) };
+    checkVersion(version, Math.max(1, ...new Set(commands.map(neededBy))), file);
+    const then = commands.map((command) => commandThen(command, version));
+    return { name, view, look, document: carriedOut(then, file) };
   }
   const { name = ownName, view, look, version, document } = checked(documentFile, data, { file });
-  checkVersion(version, versionOf(document), file);
-  return { name, view, look, document };
+  checkVersion(version, neededFor(document), file);
+  return { name, view, look, document: documentThen(document, version) };
 }
 
 /** Version first: what else a newer file has is not for us to judge. */
@@ -79,7 +83,7 @@ function checkVersion(version: Version, needed: number, file: string): void {
   throw new FileError(
     file,
     'version',
-    `expected ${needed}, because there are bodies in it, found ${version}`,
+    `expected ${needed}, because there are ${needed >= SOLIDS ? 'solids' : 'bodies'} in it, found ${version}`,
   );
 }
 
@@ -123,15 +127,49 @@ export function serializeScript(commands: readonly Command[], drawing: Drawing):
 }
 
 /** The lowest that holds what there is. */
-const versionOf = ({ parts }: Document): Version => (parts.some(isBody) ? 2 : 1);
+const versionOf = (document: Document): Version =>
+  readingOf(document) === 'solid' ? SOLIDS : neededFor(document);
+
+/** The lowest that knows the fields there are. Earlier ones read closed strokes otherwise (earlier.ts). */
+function neededFor({ parts, draft }: Document): Version {
+  if (parts.some(isSolid) || draft?.form || draft?.joins || draft?.carves) return SOLIDS;
+  const bodies = parts.filter(isBody);
+  if (bodies.some(({ node }) => hasWidths(node))) return SOLIDS;
+  return bodies.length > 0 ? 2 : 1;
+}
+
+/** Terms with a width of the kernel of their own came with solids. */
+const hasWidths = (node: FieldNode): boolean =>
+  node.type === 'skels' ? node.skels.some(({ params }) => params) : partsOf(node).some(hasWidths);
+
+/** Commands that came with solids, or say what only solids know. */
+const LATE: readonly Command['type'][] = [
+  'scaleParts',
+  'mirrorParts',
+  'paste',
+  'setForm',
+  'setGroups',
+  'setComponents',
+  'moveGroups',
+  'editSkeleton',
+];
 
 function versionOfCommand(command: Command): Version {
   if (command.type === 'load') return versionOf(command.document);
-  return command.type === 'addBody' || command.type === 'setBody' ? 2 : 1;
+  const isClosed = command.type === 'addStroke' && command.stroke.closed;
+  return isClosed ? SOLIDS : neededBy(command);
+}
+
+function neededBy(command: Command): Version {
+  if (command.type === 'load') return neededFor(command.document);
+  if (LATE.includes(command.type)) return SOLIDS;
+  if (command.type === 'addStroke') return command.form || command.joins || command.carves ? SOLIDS : 1;
+  if (command.type !== 'addBody' && command.type !== 'setBody') return 1;
+  return hasWidths(command.node) ? SOLIDS : 2;
 }
 
 function head(format: string, needed: Version, { name, view, look }: Drawing) {
-  const version: Version = look.mode === 'exact' ? 3 : needed;
+  const version = Math.max(look.mode === 'exact' ? 3 : 1, needed) as Version;
   return { format, version, unit: 'mm', name, view: writtenView(view), look: writtenLook(look) };
 }
 

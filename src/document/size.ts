@@ -1,17 +1,20 @@
 /** How much a document may hold: what the application lets one draw, it can save and read again. */
-import type { FieldNode } from '../field/node.ts';
 import type { Command } from './command/index.ts';
-import { type Document, isBody, strokesOf } from './document.ts';
+import { type Document, isBody, isSolid, strokesOf } from './document.ts';
 import { LIMITS } from './limits.ts';
+import { groupsOf } from './solid.ts';
 
 /** In words, for messages about files. */
-export const SIZE = `at most ${LIMITS.strokes} strokes and bodies and ${LIMITS.samplesInAll} samples and values of bodies in all`;
+export const SIZE = `at most ${LIMITS.strokes} strokes and bodies and ${LIMITS.samplesInAll} samples and values of bodies and solids in all`;
 
 /** Commands after which a document can hold more than before. */
 export const GROWING: readonly Command['type'][] = [
   'addStroke',
   'addBody',
   'setBody',
+  'paste',
+  'setGroups',
+  'editSkeleton',
   'duplicateParts',
   'load',
 ];
@@ -24,6 +27,8 @@ export function isTooLarge({ parts, draft }: Document): boolean {
     forms += strokes.length;
     for (const stroke of strokes) samples += stroke.samples.length;
   }
+  for (const { skeleton, shape } of parts.filter(isSolid).flatMap(groupsOf))
+    samples += valuesOf(shape) + (skeleton ? valuesOf(skeleton) : 0);
   for (const { node } of parts.filter(isBody)) {
     forms++;
     samples += valuesOf(node);
@@ -31,10 +36,10 @@ export function isTooLarge({ parts, draft }: Document): boolean {
   return forms > LIMITS.strokes || samples > LIMITS.samplesInAll;
 }
 
-const sizes = new WeakMap<FieldNode, number>();
+const sizes = new WeakMap<object, number>();
 
 /** Numbers, words and lists of a tree. */
-function valuesOf(node: FieldNode): number {
+function valuesOf(node: object): number {
   const known = sizes.get(node);
   if (known !== undefined) return known;
   let values = 0;

@@ -1,5 +1,6 @@
 /** The terms of a convolution sum as files hold them: skels of every kind, cross sections, colours. */
 import * as v from 'valibot';
+import { kernels } from '../kernel/index.ts';
 import { fields, finite, flag, list, number, numbers } from './fields.ts';
 import { LIMITS } from './limits.ts';
 import { cutInBounds, eitherOf } from './rules.ts';
@@ -13,6 +14,13 @@ export const colour = v.strictTuple([share, share, share], 'a colour, three numb
 
 const some = list(finite, LIMITS.samples, 'numbers');
 const points = list(vec3, LIMITS.samples, 'points');
+
+/** Kernels say which parameters there are. */
+export const params = fields(
+  Object.fromEntries(
+    kernels.flatMap((kernel) => kernel.params.map(({ name }) => [name, v.exactOptional(finite)])),
+  ),
+);
 
 const kind = <const T extends string, const E extends v.ObjectEntries>(type: T, data: E) =>
   fields({ type: v.literal(type, `"${type}"`), ...data });
@@ -92,6 +100,7 @@ const warp = fields({
 
 export const term = fields({
   skel,
+  params: v.exactOptional(params),
   factor: v.exactOptional(finite),
   warp: v.exactOptional(warp),
   colour: v.exactOptional(colour),

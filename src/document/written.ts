@@ -1,10 +1,21 @@
 /** What files hold of documents and commands: the same data, samples as rows, keys always in the same order. */
 import type { Stroke, View } from '../stroke/stroke.ts';
 import type { Command } from './command/index.ts';
-import { type BodyPart, type Brush, type Document, isBody, type Part, type SurfacePart } from './document.ts';
+import {
+  type BodyPart,
+  type Brush,
+  type Document,
+  type Draft,
+  isBody,
+  isSolid,
+  type Part,
+  type SolidPart,
+  type SurfacePart,
+} from './document.ts';
 import type { Look } from './look.ts';
 import { ordered } from './nodeSchema.ts';
 import { rowOf } from './samples.ts';
+import type { Component, Group } from './solid.ts';
 
 export const writtenView = ({ pivot, rotation, height, fov }: View): View => ({
   pivot,
@@ -38,7 +49,45 @@ function writtenStroke({ samples, plane: { origin, x, y }, view, pointer, closed
   return { pointer, closed, plane: { origin, x, y }, view: writtenView(view), samples: samples.map(rowOf) };
 }
 
-const writtenPart = (part: Part): object => (isBody(part) ? writtenBody(part) : writtenSurface(part));
+function writtenPart(part: Part): object {
+  if (isSolid(part)) return writtenSolid(part);
+  return isBody(part) ? writtenBody(part) : writtenSurface(part);
+}
+
+function writtenSolid({ id, name, kind, components, placement, hidden }: SolidPart) {
+  const { rotation, translation } = placement;
+  return {
+    id,
+    name,
+    kind,
+    hidden,
+    placement: { rotation, translation },
+    components: components.map(writtenComponent),
+  };
+}
+
+function writtenComponent({ id, name, kernel, threshold, groups }: Component) {
+  return { id, name, kernel, threshold, groups: groups.map(writtenGroup) };
+}
+
+function writtenGroup({ id, name, form, hidden, brush, shape, skeleton, strokes }: Group) {
+  const { weight, breadth, depth, section, exponent, profile, density, knots } = shape;
+  return {
+    id,
+    name,
+    form,
+    hidden,
+    brush: writtenBrush(brush),
+    shape: { weight, breadth, depth, section, exponent, profile, density, knots },
+    skeleton,
+    strokes: strokes.map(writtenStroke),
+  };
+}
+
+/** What older programs do not know is left out where it says nothing. */
+function intentOf({ form, joins, carves }: Pick<Draft, 'form' | 'joins' | 'carves'>) {
+  return { ...(form && { form }), ...(joins && { joins }), ...(carves && { carves }) };
+}
 
 function writtenBody({ id, name, kind, node, colour, placement, hidden }: BodyPart) {
   const { rotation, translation } = placement;
@@ -64,12 +113,14 @@ export function writtenDocument({ parts, draft, brush, tubesOnly, nextId }: Docu
     tubesOnly,
     brush: writtenBrush(brush),
     parts: parts.map(writtenPart),
-    draft: draft && { strokes: draft.strokes.map(writtenStroke) },
+    draft: draft && { ...intentOf(draft), strokes: draft.strokes.map(writtenStroke) },
   };
 }
 
 export function writtenCommand(command: Command): object {
-  if (command.type === 'addStroke') return { type: command.type, stroke: writtenStroke(command.stroke) };
+  if (command.type === 'addStroke')
+    return { type: command.type, ...intentOf(command), stroke: writtenStroke(command.stroke) };
+  if (command.type === 'paste') return { ...command, parts: command.parts.map(writtenPart) };
   if (command.type === 'addBody' || command.type === 'setBody')
     return { ...command, node: ordered(command.node) };
   if (command.type !== 'load') return command;

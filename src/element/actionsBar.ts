@@ -1,30 +1,50 @@
 /** What can be done with the selected parts: at the lower edge while there is no unfinished form that asks first. */
 import { html, nothing, type TemplateResult } from 'lit';
 import { CLAY } from '../document/build.ts';
-import { colourOf } from '../document/document.ts';
+import { partsWith } from '../document/chosen.ts';
+import { nameOf } from '../document/command/changeParts.ts';
+import { mirrorOf } from '../document/mirror.ts';
 import { type Actions, iconButton } from './controls.ts';
 import { ball } from './icons.ts';
-import { chosenParts, partsName } from './partCard.ts';
-import { duplicateSelection, hideSelection, removeSelection } from './partDeeds.ts';
+import { chosenColour } from './partCard.ts';
+import {
+  duplicateSelection,
+  hideSelection,
+  mirrorCopy,
+  mirrorSelection,
+  removeSelection,
+} from './partDeeds.ts';
+import { isHidden } from './partRows.ts';
 import type { Session } from './session.ts';
-import { PART_WORDS } from './words.ts';
+import { isSkeletonOn, selectedSkeleton, toggleSkeleton } from './skeletonEdit.ts';
+import { PART_WORDS, SKELETON_WORDS, SOLID_WORDS } from './words.ts';
 
 const { action } = PART_WORDS;
 
 export function actionsBar(session: Session, actions: Actions): TemplateResult | typeof nothing {
-  const parts = chosenParts(session);
-  if (parts.length === 0 || session.document.draft || session.tool !== 'select') return nothing;
-  const hidden = parts.every((part) => part.hidden);
+  const { document, selection } = session;
+  if (selection.length === 0 || document.draft || session.tool !== 'select') return nothing;
+  const hidden = isHidden(document, selection);
   const docked = actions.open === 'parts' || actions.open === 'settings';
-  return html`<div class="acts card chrome ${docked ? 'docked' : ''}" part="actions" role="toolbar" aria-label=${partsName(parts)}>
+  return html`<div class="acts card chrome ${docked ? 'docked' : ''}" part="actions" role="toolbar" aria-label=${nameOf(document, selection)}>
     ${iconButton(null, PART_WORDS.colour, () => actions.toggle('palette'), {
       expanded: actions.open === 'palette',
-      body: html`<span class="swatch">${ball('toon', colourOf(parts[0]!) ?? CLAY)}</span>`,
+      body: html`<span class="swatch">${ball('toon', chosenColour(session) ?? CLAY)}</span>`,
     })}
-    ${iconButton(hidden ? 'eye' : 'eyeOff', hidden ? action.show : action.hide, () => hideSelection(session), { key: 'H' })}
-    ${hidden ? nothing : iconButton('focus', action.focus, () => session.focus(session.selection))}
-    ${iconButton('duplicate', action.duplicate, () => duplicateSelection(session))}
+    ${iconButton(hidden ? 'eye' : 'eyeOff', hidden ? action.show : action.hide, () => hideSelection(session), { key: 'H', class: 'elsewhere least' })}
+    ${hidden ? nothing : iconButton('focus', action.focus, () => session.focus(partsWith(document, selection).map(({ id }) => id)), { class: 'elsewhere' })}
+    ${iconButton('duplicate', action.duplicate, () => duplicateSelection(session), { shortcut: 'Control+D' })}
+    ${hidden ? nothing : mirrors(session)}
+    ${selectedSkeleton(session) ? iconButton('skeleton', SKELETON_WORDS.show, () => toggleSkeleton(session), { key: 'K', pressed: isSkeletonOn(session) }) : nothing}
     <span class="separator"></span>
     ${iconButton('trash', action.remove, () => removeSelection(session), { class: 'danger', shortcut: 'Delete' })}
   </div>`;
+}
+
+/** Where the mirror stands is told by their tooltips. */
+function mirrors(session: Session): TemplateResult {
+  const across = mirrorOf(session.document, session.selection, session.view)?.across ?? null;
+  const hint = SOLID_WORDS.mirrorHint(across);
+  return html`${iconButton('mirror', SOLID_WORDS.mirror, () => mirrorSelection(session), { key: 'Shift M', hint })}
+    ${iconButton('mirrorCopy', SOLID_WORDS.mirrorCopy, () => mirrorCopy(session), { hint })}`;
 }

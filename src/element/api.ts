@@ -4,14 +4,15 @@
  */
 import { LitElement, type PropertyDeclarations, type PropertyValues } from 'lit';
 import type { Command } from '../document/command/index.ts';
-import { type Document, isBody } from '../document/document.ts';
+import { type Document, type Draft, isImplicit } from '../document/document.ts';
 import type { Drawing } from '../document/drawing.ts';
 import { redoable, undoable } from '../document/history.ts';
 import type { Mode, Style } from '../document/look.ts';
 import { checkDrawing, FileError, parse, serialize, serializeScript } from '../document/serialize.ts';
+import { nodeOf } from '../document/solidNode.ts';
 import type { Format, OutFile } from '../export/index.ts';
 import type { Comparison } from '../field/zhuImage.ts';
-import type { Scene } from '../scene/index.ts';
+import type { PictureOptions, Scene } from '../scene/index.ts';
 import type { Stroke } from '../stroke/stroke.ts';
 import { Arrival } from './arrival.ts';
 import { checkedCommands, checkedIds } from './check.ts';
@@ -34,6 +35,9 @@ export interface RayComparison extends Comparison {
   /** what theirs show, a PNG */
   readonly picture: Blob;
 }
+
+/** What a stroke that begins a form is to become. */
+export type StrokeIntent = Pick<Draft, 'form' | 'joins' | 'carves'>;
 
 export interface LoadOptions {
   /** what messages call it, and the drawing’s name where it has none of its own */
@@ -238,10 +242,7 @@ export abstract class SketchApi extends LitElement {
     }
     const { document, session } = this;
     const seen = document.parts.filter(({ hidden }) => !hidden);
-    await session.bodies.exactly(
-      seen.filter(isBody).map(({ node }) => node),
-      waiting,
-    );
+    await session.bodies.exactly(seen.filter(isImplicit).map(nodeOf), waiting);
     return exporters[format].write(modelOf(document, session.name));
   }
 
@@ -264,9 +265,12 @@ export abstract class SketchApi extends LitElement {
     this.session.commit(checked);
   }
 
-  /** One more stroke of the unfinished form: whole, or as points in mm on the plane that faces the front. */
-  addStroke(stroke: Stroke | StrokeInput): void {
-    this.run({ type: 'addStroke', stroke: strokeOf(stroke, this.document) as Stroke });
+  /**
+   * One more stroke of the unfinished form: whole, or as points in mm on the plane that faces the front. `intent` says what a form that it
+   * begins becomes: `form`, the solid and component it `joins`, whether it `carves`.
+   */
+  addStroke(stroke: Stroke | StrokeInput, intent: StrokeIntent = {}): void {
+    this.run({ ...intent, type: 'addStroke', stroke: strokeOf(stroke, this.document) as Stroke });
   }
 
   /** Selects these parts and no others; ids that no part has are left out. */
@@ -308,8 +312,9 @@ export abstract class SketchApi extends LitElement {
     const height = Math.round(this.clientHeight * devicePixelRatio);
     const options = pictureOptions(shot, { document, view, look, width, height, fit: frames.fit });
     const isExact = options.look.mode === 'exact';
-    const images = isExact ? await exact.images(shownBodies(document), options.view, options) : [];
-    return pngOf(await scene.picture({ ...options, images }));
+    const bodies = isExact ? shownBodies(document) : [];
+    const draw = (images: NonNullable<PictureOptions['images']>) => scene.picture({ ...options, images });
+    return pngOf(await exact.picture(bodies, options.view, options, draw));
   }
 
   /**

@@ -46,6 +46,8 @@ export class Bodies {
   readonly #problems = new WeakMap<FieldNode, string>();
   /** cells that were asked for of what is whole, before its thin places asked for more */
   readonly #asked = new WeakMap<FieldNode, number>();
+  /** names of those whose making was begun */
+  readonly #sent = new WeakMap<FieldNode, string>();
   #cellsOf: (node: FieldNode) => number = () => CELLS;
   /** each tree once */
   #wanted: readonly Named[] = [];
@@ -60,6 +62,8 @@ export class Bodies {
   /** no worker starts here */
   #alone = false;
   #isAtWork = false;
+  /** all moves: drafts will do */
+  #isRough = false;
   /** ms, when the work began that is still going on */
   #since = 0;
   #waiting: (() => void)[] = [];
@@ -69,14 +73,22 @@ export class Bodies {
     this.#start = start;
   }
 
-  /** Those that are seen, in so many cells: what is missing of them is made, and nothing else any more but for files. */
-  want(bodies: readonly Named[], cellsOf: (node: FieldNode) => number = () => CELLS): void {
+  /**
+   * Those that are seen, in so many cells: what is missing of them is made, and nothing else any more but for files. `isRough`: they are others
+   * again soon. Drafts will do, and one that is under way is finished before the next, or there would never be anything to see.
+   */
+  want(
+    bodies: readonly Named[],
+    cellsOf: (node: FieldNode) => number = () => CELLS,
+    { isRough = false } = {},
+  ): void {
     this.#cellsOf = cellsOf;
     for (const { id, node } of bodies) standIn(this.#seen.get(id), node);
     this.#seen = new Map(bodies.map(({ id, node }) => [id, node]));
     const names = new Map(bodies.map(({ id, node }) => [node, id]));
     this.#wanted = [...names].map(([node, id]) => ({ id, node }));
-    this.#go();
+    this.#isRough = isRough;
+    if (!isRough || this.#job?.cells !== DRAFT) this.#go();
   }
 
   /** What is wanted next is of another drawing, whatever the names. */
@@ -146,10 +158,12 @@ export class Bodies {
     this.#send(this.#job);
   }
 
-  /** Drafts first, then what a file waits for. */
+  /** Drafts first, then what a file waits for; nothing finer while all moves. */
   #next(): Omit<Job, 'id'> | null {
     const isOpen = (node: FieldNode) => this.problem(node) === null;
-    const unseen = this.#wanted.find(({ node }) => isOpen(node) && bodyMade(node) === null);
+    // while all moves, the mesh of what was there before is soon far off
+    const isUnseen = (body: Body | null) => body === null || (this.#isRough && body.cells === 0);
+    const unseen = this.#wanted.find(({ node }) => isOpen(node) && isUnseen(bodyMade(node)));
     if (unseen) return { node: unseen.node, cells: DRAFT, name: null };
     const needed = this.#needs.nodes.find((node) => !this.#isDone(node));
     const job = this.#job;
@@ -157,6 +171,7 @@ export class Bodies {
     if (job && job.cells !== DRAFT && this.#needs.nodes.includes(job.node) && !this.#isDone(job.node))
       return job;
     if (needed) return { node: needed, cells: this.#missing(needed, true)!, name: null };
+    if (this.#isRough) return null;
     const coarse = this.#wanted.find(({ node }) => isOpen(node) && this.#missing(node) !== null);
     if (!coarse) return null;
     return {
@@ -190,6 +205,8 @@ export class Bodies {
 
   #send(job: Job): void {
     const { id, node, cells, name } = job;
+    const of = this.#wanted.find((wanted) => wanted.node === node);
+    if (of) this.#sent.set(node, of.id);
     if (!this.#alone) this.#worker ??= this.#begin();
     const make: ToWorker = { type: 'make', id, node, resolution: cells, mesh: 'worker', name };
     if (this.#worker) this.#worker.postMessage(make);
@@ -265,8 +282,9 @@ export class Bodies {
 
   #done({ node, cells }: Job, body: Body): void {
     keepBody(node, body);
+    this.#follow(node, body);
     // cells of one depend on the boxes of all: one at a time, or a hundred would block the page
-    if (cells === DRAFT && this.#wanted.length > 1) measureBody(node);
+    if (cells === DRAFT && this.#wanted.length > 1 && !this.#isRough) measureBody(node);
     else if (cells === this.#cellsOf(node)) this.#asked.set(node, cells);
     this.#job = null;
     if (cells !== DRAFT && body.mesh.indices.length === 0 && this.#missing(node) === null) {
@@ -274,6 +292,14 @@ export class Bodies {
     }
     this.#go();
     this.#changed('made');
+  }
+
+  /** What moved on while its draft was made is nearer to that than to what is shown. */
+  #follow(node: FieldNode, body: Body): void {
+    const id = this.#sent.get(node);
+    const next = this.#wanted.find((wanted) => wanted.id === id && wanted.node !== node);
+    if (!next || (bodyMade(next.node)?.cells ?? 0) > 0 || !areAlike(node, next.node)) return;
+    keepBody(next.node, { ...body, cells: 0 });
   }
 
   #refuse({ node }: Job, message: string): void {

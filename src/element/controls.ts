@@ -1,14 +1,13 @@
 /** The floating controls around the drawing, as templates: what they show comes from the session, what they do goes to `Actions`. */
 import { html, nothing, type TemplateResult } from 'lit';
 import { live } from 'lit/directives/live.js';
-import { RADIUS_RANGE, readingOf } from '../document/document.ts';
+import { RADIUS_RANGE } from '../document/document.ts';
 import { redoable, undoable } from '../document/history.ts';
-import { draftProblem } from './draftProblem.ts';
 import type { Files } from './files.ts';
 import { ball, type IconName, icon, wordmark } from './icons.ts';
 import type { Place } from './place.ts';
 import type { Session } from './session.ts';
-import { PART_WORDS, type ShownStyle, STYLE_NAMES, SURFACE, WORDS } from './words.ts';
+import { PART_WORDS, type ShownStyle, STYLE_NAMES, WORDS } from './words.ts';
 
 export type PanelName = 'settings' | 'menu' | 'palette' | 'help' | 'drawings' | 'file' | 'export' | 'parts';
 
@@ -35,6 +34,8 @@ interface ButtonOptions {
   readonly class?: string;
   readonly body?: TemplateResult;
   readonly shortcut?: string;
+  /** more than its name says */
+  readonly hint?: string;
 }
 
 /** An icon with a name and, after a moment of hovering, a tooltip with the key. */
@@ -48,6 +49,7 @@ export function iconButton(
   return html`<button
     class="b ${options.class ?? ''}"
     aria-label=${name}
+    title=${options.hint ?? nothing}
     aria-disabled=${off ? 'true' : nothing}
     aria-pressed=${pressed === undefined ? nothing : String(pressed)}
     aria-expanded=${expanded === undefined ? nothing : String(expanded)}
@@ -185,60 +187,6 @@ export const sliderToRadius = (value: number) =>
 export function roundRadius(mm: number): number {
   const step = mm < 10 ? 0.5 : 1;
   return Math.min(RADIUS_RANGE.max, Math.max(RADIUS_RANGE.min, Math.round(mm / step) * step));
-}
-
-/** What the strokes are now, and what one more would make of them. */
-export function meter(session: Session): TemplateResult | typeof nothing {
-  const { draft, tubesOnly } = session.document;
-  if (!draft) return nothing;
-  const kind = readingOf(session.document);
-  const two = draft.strokes.length > 1;
-  const only = (on: boolean) => () => session.run({ type: 'setTubesOnly', on });
-  const done = kind === 'rotational';
-  return html`<div class="meter card chrome" part="meter" role="group" aria-label="The number of strokes decides the surface">
-    <button class=${done ? 'done' : ''} aria-current=${done ? nothing : 'step'} @click=${only(true)}
-      title=${done ? 'Back to two tubes; no stroke is lost' : 'Every stroke a tube'}>
-      ${icon('tube')}${done ? html`<span class="tick">${icon('check')}</span>` : nothing}1 Tube${tubesOnly ? html`<span class="hidden">, every stroke</span>` : nothing}
-    </button>
-    <button aria-current=${done ? 'step' : nothing} @click=${only(false)}
-      title=${two ? 'Between the two strokes' : 'Draw the other side to make it round'}>
-      ${icon('rotational')}2 Rotational
-    </button>
-  </div>`;
-}
-
-/** Keep or drop what is shown. */
-export function chip(session: Session, actions: Actions): TemplateResult | typeof nothing {
-  const { draft, brush } = session.document;
-  const kind = readingOf(session.document);
-  if (!draft || !kind || session.state.wet || !actions.chipAt) return nothing;
-  const { x, y, narrow } = actions.chipAt;
-  const count = draft.strokes.length;
-  const problem = draftProblem(session.document);
-  // The chip goes, and the focus must not go with it.
-  const done = (run: () => void) => () => {
-    run();
-    actions.dismiss();
-  };
-  const fact = kind === 'tube' && count === 1 ? `${brush.radius} mm radius` : PART_WORDS.strokes(count);
-  // The ways on from strokes that make nothing: what they do make, or away with them.
-  const tubes = done(() => session.run({ type: 'setTubesOnly', on: true }));
-  const onward = !problem
-    ? html`<button class="b primary text" aria-keyshortcuts="N Enter" @click=${done(() => session.keep())}>${icon('check', 20)}Keep</button>`
-    : kind === 'rotational'
-      ? html`<button class="b primary text" @click=${tubes}>${icon('tube', 20)}${WORDS.twoTubes}</button>`
-      : html`<button class="b primary text" @click=${done(() => session.undo())}>${icon('undo', 20)}${WORDS.undoStroke}</button>`;
-  return html`<div class="chip card chrome ${narrow ? 'narrow' : ''}" part="chip" role="group" aria-label=${WORDS.preview(kind)} style="left:${x}px;top:${y}px">
-    ${iconButton(null, 'Colour', () => actions.toggle('palette'), {
-      expanded: actions.open === 'palette',
-      body: html`<span class="swatch">${ball('toon', brush.colour)}</span>`,
-    })}
-    <div class="what ${problem ? 'problem' : ''}">
-      ${problem ? icon('warn', 20) : nothing}<div><b>${SURFACE[kind].name}</b><small>${problem ?? fact}</small></div>
-    </div>
-    <button class="b quiet text" aria-label="Drop" aria-keyshortcuts="Escape" @click=${done(() => session.drop())}>${icon('x', 20)}<span class="word">Drop</span></button>
-    ${onward}
-  </div>`;
 }
 
 /** Line 1: the last event, spoken politely. Line 2: mesh or exact, with what there is of it; where there is room the last form, and the back end. */

@@ -1,6 +1,7 @@
 /** What the picture does not show of bodies, in words that say what helps: nothing inside, too thin for their cells, gaps that may have closed, no end. */
 import { bodyMade } from '../document/bodies.ts';
-import { type Document, isBody, type Part } from '../document/document.ts';
+import { type Document, isImplicit, type Part } from '../document/document.ts';
+import { nodeOf } from '../document/solidNode.ts';
 import { bindField } from '../field/bind.ts';
 import { DRAFT } from '../field/fieldWork.ts';
 import type { FieldNode } from '../field/node.ts';
@@ -21,8 +22,9 @@ export type Problem = (node: FieldNode) => string | null;
 
 /** `problem`: why there is no body of a tree, in words. Of drafts nothing is told: they are coarse in any case. */
 export function flawsOf(part: Part, problem: Problem): Flaw[] {
-  if (!isBody(part)) return [];
-  const { id, name, node } = part;
+  if (!isImplicit(part)) return [];
+  const { id, name } = part;
+  const node = nodeOf(part);
   const flaw = (what: Flaw['what'], words: string): Flaw => ({ part: id, name, what, words });
   const none = problem(node);
   if (none !== null) return [flaw('none', none)];

@@ -5,9 +5,11 @@ import { unsafeSVG } from 'lit/directives/unsafe-svg.js';
 import box from 'lucide-static/icons/box.svg?raw';
 import check from 'lucide-static/icons/check.svg?raw';
 import down from 'lucide-static/icons/chevron-down.svg?raw';
+import next from 'lucide-static/icons/chevron-right.svg?raw';
 import done from 'lucide-static/icons/circle-check.svg?raw';
 import undone from 'lucide-static/icons/circle-dashed.svg?raw';
 import help from 'lucide-static/icons/circle-question-mark.svg?raw';
+import paste from 'lucide-static/icons/clipboard-paste.svg?raw';
 import duplicate from 'lucide-static/icons/copy.svg?raw';
 import more from 'lucide-static/icons/ellipsis.svg?raw';
 import eye from 'lucide-static/icons/eye.svg?raw';
@@ -20,12 +22,15 @@ import image from 'lucide-static/icons/image.svg?raw';
 import parts from 'lucide-static/icons/layers.svg?raw';
 import drawings from 'lucide-static/icons/layout-grid.svg?raw';
 import full from 'lucide-static/icons/maximize.svg?raw';
+import scale from 'lucide-static/icons/maximize-2.svg?raw';
 import select from 'lucide-static/icons/mouse-pointer-2.svg?raw';
 import move from 'lucide-static/icons/move.svg?raw';
 import draw from 'lucide-static/icons/pencil.svg?raw';
+import plus from 'lucide-static/icons/plus.svg?raw';
 import finger from 'lucide-static/icons/pointer.svg?raw';
 import redo from 'lucide-static/icons/redo-2.svg?raw';
 import home from 'lucide-static/icons/rotate-ccw.svg?raw';
+import turn from 'lucide-static/icons/rotate-cw.svg?raw';
 import save from 'lucide-static/icons/save.svg?raw';
 import saveAs from 'lucide-static/icons/save-all.svg?raw';
 import script from 'lucide-static/icons/scroll-text.svg?raw';
@@ -40,17 +45,41 @@ import x from 'lucide-static/icons/x.svg?raw';
 const inside = (text: string) => text.replace(/^[\s\S]*?<svg[^>]*>|<\/svg>\s*$/g, '');
 
 const OURS = {
+  skeleton:
+    '<path d="M7.200 16.800L12 11.500l5.300-3.900M12 11.500l1.300 6.200"/><circle cx="6" cy="18" r="1.800"/><circle cx="12" cy="11.500" r="1.800"/><circle cx="18.600" cy="6.600" r="1.800"/><circle cx="13.700" cy="19.400" r="1.800"/>',
+  component: '<circle cx="9.300" cy="10" r="4.300"/><circle cx="14.700" cy="14" r="4.300"/>',
+  mirror: '<path d="M12 20v2M12 14v2M12 8v2M12 2v2"/><path d="M9 7L3 17h6z"/><path d="M15 7l6 10h-6z"/>',
+  mirrorCopy:
+    '<path d="M12 20v2M12 14v2M12 8v2M12 2v2"/><path d="M9 7L3 17h6z"/><path d="M15 7l6 10h-6z" style="fill:currentColor"/>',
   attach:
     '<circle cx="8" cy="14" r="4.800"/><circle cx="16.800" cy="7.800" r="3.300"/><path d="M11.800 11.200l2.200-1.500"/>',
   tube: '<path d="M4 20.2a3 3 0 0 1-.9-5.2C8.4 10 11 15.300 15.900 6.300"/><path d="M21 9c-5.900 10.400-10.600 5.600-15.700 10.700"/><ellipse cx="18.450" cy="7.650" rx="2.900" ry="1.700" transform="rotate(28 18.450 7.650)"/>',
   rotational:
     '<path d="M9.100 4.400c0 4.100-5 5.300-5 10.100C4.100 18.200 7.400 20.900 12 20.900s7.900-2.700 7.900-6.400c0-4.800-5-6-5-10.100"/><ellipse cx="12" cy="4.400" rx="2.900" ry="1.300"/><path d="M4.500 13c2.500 3 12.500 3 15 0"/>',
   body: '<path d="M7.500 4.100c3.700-1.700 6.200.9 6.300 3.500.1 1.900 1.300 2.500 3.200 2.900 3.600.8 5.200 4.100 3.700 7-1.600 3.100-5.600 3.600-8.900 2.600-4.400-1.300-8.100-3.500-8.500-8.600-.3-3.300 1.400-6.200 4.200-7.400z"/><path d="M7.200 9.100c.3-1.300 1.100-2.100 2.300-2.500"/>',
+  solid:
+    '<path d="M12.600 4.100c5.500-.5 8.300 2.900 8.300 7.500 0 5-3.500 8.400-8.500 8.400S3.100 17.500 3.100 12.600s4-8 9.500-8.500z"/><path d="M7.500 10.600c.7-1.700 2-2.600 3.700-2.900"/>',
+  plate:
+    '<path d="M3.100 11l8.900-4.900 8.900 4.900-8.900 4.900z"/><path d="M3.100 11v3.100l8.900 4.900 8.900-4.900V11"/>',
+  ring: '<ellipse cx="12" cy="12" rx="8.900" ry="6.900"/><ellipse cx="12" cy="11.100" rx="3.800" ry="2.300"/>',
+  carve:
+    '<path d="M13.900 4.300C8 3.100 3.100 6.600 3.100 12.300c0 4.600 3.500 7.600 8.400 7.600 4 0 6.900-1.800 8.300-4.500"/><path d="M19.800 15.400c-5.900.5-8.400-5.400-5.900-11.100" stroke-dasharray="2 2.6"/>',
+  line: '<path d="M4.500 17.500l5-9 4.500 6 5.500-8"/><circle cx="4.500" cy="17.500" r="1.600"/><circle cx="9.500" cy="8.500" r="1.600"/><circle cx="14" cy="14.500" r="1.600"/><circle cx="19.500" cy="6.500" r="1.600"/>',
+  curve:
+    '<path d="M4 18.500C8 3.500 14 21 20 5.500"/><path d="M4 18.500l4.500-12M20 5.500l-4.500 12" stroke-dasharray="2 2.6"/>',
+  point: '<circle cx="12" cy="12" r="7.500"/><circle cx="12" cy="12" r="1.100"/>',
+  blend: '<circle cx="9.100" cy="12" r="5.400"/><circle cx="14.900" cy="12" r="5.400"/>',
+  group:
+    '<path d="M4.100 8V5.600A1.500 1.500 0 0 1 5.600 4.100H8M16 4.100h2.400a1.500 1.500 0 0 1 1.500 1.500V8M19.900 16v2.400a1.500 1.500 0 0 1-1.500 1.500H16M8 19.900H5.600a1.500 1.500 0 0 1-1.500-1.500V16"/><circle cx="9.500" cy="10" r="2.600"/><circle cx="14.500" cy="14.400" r="2.600"/>',
   pressure: '<path d="M3 15.700c4.200-1.200 6.300-7.600 18-8.700-7.900 4.200-9.900 10.900-18 8.700z"/>',
 } as const;
 
 const LUCIDE = {
   duplicate,
+  paste,
+  turn,
+  scale,
+  next,
   eye,
   eyeOff,
   move,
@@ -72,6 +101,7 @@ const LUCIDE = {
   image,
   more,
   open,
+  plus,
   redo,
   save,
   saveAs,

@@ -1,7 +1,15 @@
 /** Hot keys: the thesis' own where it has one, and what drawing programs share. They answer only while the element has focus. */
 import { dragOf, keyOf } from './lookKeys.ts';
-import { hideSelection, removeSelection, selectAll } from './partDeeds.ts';
+import {
+  duplicateSelection,
+  hideSelection,
+  letGoOf,
+  mirrorSelection,
+  removeSelection,
+  selectAll,
+} from './partDeeds.ts';
 import type { Session } from './session.ts';
+import { leaveSkeleton, removeNode, toggleSkeleton } from './skeletonEdit.ts';
 import { type ShownStyle, STYLE_NAMES } from './words.ts';
 
 export interface KeyActions {
@@ -28,6 +36,7 @@ export function press(event: KeyboardEvent, session: Session, actions: KeyAction
   if (command && key === 's' && !actions.readOnly) return done(actions.save(event.shiftKey));
   if (command && key === 'o' && !actions.readOnly) return done(actions.openFile());
   if (command && key === 'a' && !actions.readOnly) return done(selectAll(session));
+  if (command && key === 'd' && !actions.readOnly) return duplicateSelection(session);
   if (command || event.altKey) return false;
   if (key in STYLES_BY_KEY) return done(chooseStyle(session, STYLES_BY_KEY[key]!));
   if (actions.readOnly && key === 'Escape') return done(actions.close());
@@ -63,27 +72,28 @@ function drawing(key: string, shift: boolean, session: Session, actions: KeyActi
       return done(actions.close());
     case 'v':
       return done(session.setTool('select'));
+    case 'm':
+      return shift && mirrorSelection(session);
     case 'h':
       return hideSelection(session);
+    case 'k':
+      return toggleSkeleton(session);
     case 'Delete':
     case 'Backspace':
-      return removeSelection(session);
+      return removeNode(session) || removeSelection(session);
     default:
       return false;
   }
 }
 
 /**
- * Escape takes back what is most in the hand: the gesture under way, what the Select tool holds, the unfinished form;
+ * Escape takes back what is most in the hand: the gesture under way, what the Select tool holds (from a group up to its part), the unfinished form;
  * then the panel closes.
  */
 function back(session: Session, actions: KeyActions): void {
   if (session.cancel()) return;
-  if (session.selection.length > 0) {
-    session.select([]);
-    session.saySelection();
-    return;
-  }
+  if (leaveSkeleton(session)) return;
+  if (letGoOf(session)) return;
   if (session.document.draft) session.drop();
   else actions.close();
 }

@@ -1,59 +1,69 @@
 /** What can be set of the selected parts: name, colour, radius. What is set of several is set of all. */
 import { html, nothing, type TemplateResult } from 'lit';
 import { live } from 'lit/directives/live.js';
-import { bodyCounts } from '../document/bodyCounts.ts';
 import { CLAY, solidOf } from '../document/build.ts';
+import { groupsChosen } from '../document/chosen.ts';
+import { itemsOf, nameOf } from '../document/command/changeParts.ts';
 import { LONGEST_NAME } from '../document/command/renamePart.ts';
-import { colourOf, isBody, type Part, RADIUS_RANGE, type SurfacePart } from '../document/document.ts';
+import { colourOf, isSolid, type Part, RADIUS_RANGE, type SurfacePart } from '../document/document.ts';
 import { colourName, spheres } from './colours.ts';
 import { radiusToSlider, sliderToRadius } from './controls.ts';
 import { flawsOf } from './flaws.ts';
+import { groupCard } from './groupCard.ts';
+import { madeOf } from './partRows.ts';
 import type { Session } from './session.ts';
 import { PART_WORDS, SURFACE } from './words.ts';
 
-/** As shown: with what a control that is being dragged does. */
+/** What is selected as a whole. As shown: with what a control that is being dragged does. */
 export function chosenParts(session: Session): Part[] {
   if (session.selection.length === 0) return [];
   return session.shown().parts.filter(({ id }) => session.selection.includes(id));
 }
 
-export const partsName = (parts: readonly Part[]): string =>
-  parts.length === 1 ? parts[0]!.name : PART_WORDS.several(parts.length);
+/** Colours of parts, and of groups that are selected within theirs; null: one has several. */
+function coloursOf(session: Session, parts: readonly Part[]): readonly (string | null)[] {
+  const whole = new Set(parts.map(({ id }) => id));
+  const inside = groupsChosen(session.shown(), session.selection).filter(({ solid }) => !whole.has(solid.id));
+  return [...parts.map(colourOf), ...inside.map(({ group }) => group.brush.colour)];
+}
 
 export function partCard(session: Session): TemplateResult {
   const parts = chosenParts(session);
-  const only = parts.length === 1 ? parts[0]! : null;
-  if (parts.length === 0) return html`<section><p class="quiet-words">${PART_WORDS.choose}</p></section>`;
+  const chosen = itemsOf(session.shown()).filter(({ id }) => session.selection.includes(id));
+  const only = chosen.length === 1 ? parts[0] : undefined;
+  if (chosen.length === 0) return html`<section><p class="quiet-words">${PART_WORDS.choose}</p></section>`;
   return html`<section class="card-of-part">
-    ${only ? nameField(session, only) : html`<h3>${partsName(parts)}</h3>`}
-    <h3>${PART_WORDS.colour} <span class="value">${colourWords(parts)}</span></h3>
+    ${chosen.length === 1 ? nameField(session, chosen[0]!) : html`<h3>${PART_WORDS.several(chosen.length)}</h3>`}
+    <h3>${PART_WORDS.colour} <span class="value">${colourWords(session)}</span></h3>
     ${partColours(session)} ${radius(session, parts)}
+    ${parts.every(isSolid) ? groupCard(session) : nothing}
     ${only ? html`<p class="quiet-words">${facts(only)}</p>` : nothing}
     ${only ? flaws(session, only) : nothing}
   </section>`;
 }
 
-const sameColour = (parts: readonly Part[]): string | null => {
-  const colour = parts[0] ? colourOf(parts[0]) : null;
-  return parts.every((part) => colourOf(part) === colour) ? colour : null;
-};
+/** Null where several are in use. */
+export function chosenColour(session: Session): string | null {
+  const [colour, ...others] = coloursOf(session, chosenParts(session));
+  return others.every((other) => other === colour) ? (colour ?? null) : null;
+}
 
-function colourWords(parts: readonly Part[]): string {
-  const colour = sameColour(parts);
+function colourWords(session: Session): string {
+  const colour = chosenColour(session);
   return colour === null ? PART_WORDS.mixed : colourName(colour);
 }
 
 /** For the panel, and for the palette while parts are selected. */
 export function partColours(session: Session): TemplateResult {
-  const parts = chosenParts(session);
+  const name = nameOf(session.document, session.selection);
   const set = (colour: string) =>
     session.run({ type: 'setPartBrush', ids: session.selection, change: { colour } });
-  const first = (parts[0] && colourOf(parts[0])) ?? CLAY;
-  return spheres(PART_WORDS.colourOf(partsName(parts)), sameColour(parts), first, set);
+  const [first] = coloursOf(session, chosenParts(session));
+  return spheres(PART_WORDS.colourOf(name), chosenColour(session), first ?? CLAY, set);
 }
 
 /** Enter or leaving the field renames, Escape brings the old name back. */
-function nameField(session: Session, { id, name }: Part): TemplateResult {
+function nameField(session: Session, { id, name }: Pick<Part, 'id' | 'name'>): TemplateResult {
   const rename = (event: Event) => {
     const field = event.target as HTMLInputElement;
     const wanted = field.value.trim();
@@ -77,7 +87,8 @@ function nameField(session: Session, { id, name }: Part): TemplateResult {
 /** Tubes alone have one. */
 function radius(session: Session, parts: readonly Part[]): TemplateResult | typeof nothing {
   const tubes = parts.filter((part): part is SurfacePart => part.kind === 'tube');
-  if (tubes.length < parts.length) return nothing;
+  if (tubes.length === 0 || tubes.length < parts.length || parts.length < session.selection.length)
+    return nothing;
   const mm = tubes[0]!.brush.radius;
   const same = tubes.every(({ brush }) => brush.radius === mm);
   const position = radiusToSlider(mm);
@@ -87,21 +98,13 @@ function radius(session: Session, parts: readonly Part[]): TemplateResult | type
   };
   return html`<h3>${PART_WORDS.radius} <span class="value">${same ? `${mm} mm` : PART_WORDS.mixed}</span></h3>
     <div class="slide">
-      <input type="range" min="0" max="100" step="1" aria-label="Radius of ${partsName(parts)}"
+      <input type="range" min="0" max="100" step="1" aria-label="Radius of ${nameOf(session.document, session.selection)}"
         aria-valuetext="${mm} mm, from ${RADIUS_RANGE.min} to ${RADIUS_RANGE.max}" style="--fill: ${position}%"
         .value=${live(String(position))} @input=${moved(false)} @change=${moved(true)}
         @pointerdown=${() => session.holdSlider()} @blur=${() => session.holdSlider()} />
     </div>`;
 }
 
-/** "2 strokes", "12 skels" */
-export function madeOf(part: Part): string {
-  return isBody(part)
-    ? PART_WORDS.skels(bodyCounts(part.node).skels)
-    : PART_WORDS.strokes(part.strokes.length);
-}
-
-/** What is not seen of it. */
 const flaws = ({ bodies }: Session, part: Part): TemplateResult[] =>
   flawsOf(part, (node) => bodies.problem(node)).map(({ words }) => html`<p class="quiet-words">${words}</p>`);
 

@@ -26,6 +26,13 @@ export interface Place {
 /** px: about what the chip needs, and what lies at the edges: tool rail, top row, meter */
 const CHIP = { width: 352, narrow: 190, height: 52, gap: 24, side: 84, top: 76, bottom: 92 } as const;
 
+/** px of a chip; `narrow`: its width with icons only */
+export interface ChipSize {
+  readonly width: number;
+  readonly narrow: number;
+  readonly height: number;
+}
+
 /** The box of meshes on the screen, CSS pixels; null when nothing is in front of the camera. */
 export function screenBox(meshes: readonly Mesh[], view: View, size: Size): Rect | null {
   let box: Rect | null = null;
@@ -60,15 +67,16 @@ function grown(box: Rect | null, x: number, y: number): Rect {
   };
 }
 
-export function chipPlace(box: Rect, size: Size): Place {
-  const { height, side, top, bottom, gap } = CHIP;
-  const middle = clamp((box.left + box.right) / 2, side + CHIP.width / 2, size.width - 16 - CHIP.width / 2);
+export function chipPlace(box: Rect, size: Size, chip: ChipSize = CHIP): Place {
+  const { side, top, bottom, gap } = CHIP;
+  const { height } = chip;
+  const middle = clamp((box.left + box.right) / 2, side + chip.width / 2, size.width - 16 - chip.width / 2);
   const lowest = size.height - bottom - height;
   if (box.bottom + gap <= lowest) return { x: middle, y: Math.max(top, box.bottom + gap), narrow: false };
   if (box.top - gap - height >= top) return { x: middle, y: box.top - gap - height, narrow: false };
   const y = clamp((box.top + box.bottom) / 2, top, lowest);
   for (const narrow of [false, true]) {
-    const half = (narrow ? CHIP.narrow : CHIP.width) / 2;
+    const half = (narrow ? chip.narrow : chip.width) / 2;
     const right = box.right + gap + half;
     if (right + half <= size.width - 16) return { x: right, y, narrow };
     const left = box.left - gap - half;

@@ -8,7 +8,10 @@ import type { Scene } from '../scene/index.ts';
 import { isDark, lineColour, PAPER_COLOUR, pencilColour } from '../scene/look.ts';
 import { actionsBar } from './actionsBar.ts';
 import { SketchApi } from './api.ts';
-import { chip, meter, notice, type PanelName, rail, status, topBar } from './controls.ts';
+import { chip, chipSize } from './chip.ts';
+import { chipLayout } from './chipLayout.ts';
+import { clipboard } from './clipboard.ts';
+import { notice, type PanelName, rail, status, topBar } from './controls.ts';
 import { dropVeil } from './dropVeil.ts';
 import { messageOf, renamed } from './events.ts';
 import { fileLayout } from './fileLayout.ts';
@@ -20,14 +23,18 @@ import { Hands } from './hands.ts';
 import { hint } from './hint.ts';
 import { layout } from './layout.ts';
 import { marginsOf } from './margins.ts';
+import { meter } from './meter.ts';
 import { noPicture, noPictureStyle } from './noPicture.ts';
 import { PanelFocus } from './panelFocus.ts';
 import { panel } from './panels.ts';
 import { partsLayout } from './partsLayout.ts';
 import { chipPlace, type Place, screenBox, strokesBox } from './place.ts';
 import { PointerRouter } from './pointer.ts';
+import { profileLayout } from './profileEditor.ts';
 import { SceneLife, type SceneOwner } from './sceneLife.ts';
 import { Session } from './session.ts';
+import { hasSkeleton } from './skeletonEdit.ts';
+import { skeletonLayout, skeletonOverlay } from './skeletonOverlay.ts';
 import { startLayout } from './startLayout.ts';
 import { PAPER_OF, reducedMotion, themeOf, watchPixelRatio, watchSystem } from './theme.ts';
 import { tokens } from './tokens.ts';
@@ -41,7 +48,17 @@ const LOOKING_PANELS: readonly PanelName[] = ['settings', 'menu', 'help'];
 // What is marked internal is for the controls and is left out of the package’s types.
 export class RotundSketch extends SketchApi {
   /** @internal */
-  static override styles = [tokens, layout, startLayout, fileLayout, noPictureStyle, partsLayout];
+  static override styles = [
+    tokens,
+    layout,
+    chipLayout,
+    startLayout,
+    fileLayout,
+    noPictureStyle,
+    partsLayout,
+    skeletonLayout,
+    profileLayout,
+  ];
   /** @internal */
   static override properties: PropertyDeclarations = {
     autosave: { reflect: true },
@@ -100,6 +117,8 @@ export class RotundSketch extends SketchApi {
     watchSystem(() => this.#adapt(), signal);
     watchPixelRatio(() => this.#resize(), signal);
     this.addEventListener('keydown', (event) => this.#hands.key(event), { signal });
+    for (const type of ['copy', 'cut', 'paste'] as const)
+      this.addEventListener(type, (event) => this.readOnly || clipboard(event, this.session), { signal });
     for (const type of ['focusin', 'focusout'] as const)
       this.renderRoot.addEventListener(type, () => this.#noteFocus(), { signal });
     if (this.hasUpdated) this.#start();
@@ -262,7 +281,7 @@ export class RotundSketch extends SketchApi {
       !session.document.draft &&
       !session.state.wet;
     const around = {
-      before: html`${gizmo(session, this)} ${empty && (session.noPicture?.told ?? true) ? html`<div class="start ${this.files.samples.list.length > 0 ? 'filled' : ''}">${hint()}${gallery(this)}</div>` : nothing} ${fileTray(session, this)}`,
+      before: html`${hasSkeleton(session) ? skeletonOverlay(session) : gizmo(session, this)} ${empty && (session.noPicture?.told ?? true) ? html`<div class="start ${this.files.samples.list.length > 0 ? 'filled' : ''}">${hint()}${gallery(this)}</div>` : nothing} ${fileTray(session, this)}`,
       after: html`${rail(session, this)} ${meter(session)}
         ${actionsBar(session, this)} ${chip(session, this)}`,
     };
@@ -355,7 +374,7 @@ export class RotundSketch extends SketchApi {
     this.drawInk();
     const { view, state, frames } = this.session;
     this.declared.sayReady();
-    const key = JSON.stringify([view, state.carried?.by, frames.triangles]);
+    const key = JSON.stringify([view, state.carried, state.skeleton?.nodes, frames.triangles]);
     if (key === this.#viewKey) return;
     this.#viewKey = key;
     this.requestUpdate();
@@ -381,15 +400,11 @@ export class RotundSketch extends SketchApi {
   get chipAt(): Place | null {
     const { document, view, size } = this.session;
     if (!document.draft) return null;
-    const box = draftIsWhole(document)
-      ? screenBox(
-          draftSolids(document).map(({ mesh }) => mesh),
-          view,
-          size,
-        )
-      : strokesBox(document.draft.strokes, view, size);
+    const meshes = draftIsWhole(document) ? draftSolids(document).map(({ mesh }) => mesh) : [];
+    // a solid is not there at once
+    const box = screenBox(meshes, view, size) ?? strokesBox(document.draft.strokes, view, size);
     const middle = { left: size.width / 2, right: size.width / 2, top: 80, bottom: 80 };
-    return chipPlace(box ?? middle, size);
+    return chipPlace(box ?? middle, size, chipSize(document, size));
   }
 
   // ── what the controls ask for ───────────────────────────────────────────────────────────────────────

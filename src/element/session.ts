@@ -6,9 +6,14 @@
 import { bodyMade } from '../document/bodies.ts';
 import { draftIsWhole, RESOLUTION } from '../document/build.ts';
 import { cellsOfBodies } from '../document/cells.ts';
+import { partsWith } from '../document/chosen.ts';
+import { itemsOf } from '../document/command/changeParts.ts';
 import type { Command } from '../document/command/index.ts';
-import { type Brush, type Document, EMPTY_DOCUMENT, isBody, readingOf } from '../document/document.ts';
+import { draftCrossings } from '../document/crossings.ts';
+import { type Brush, type Document, EMPTY_DOCUMENT, isImplicit, readingOf } from '../document/document.ts';
+import { draftPart, partsWithDraft, roughly } from '../document/draftPart.ts';
 import { type Drawing, FRONT_VIEW } from '../document/drawing.ts';
+import { bodiesOf, type NamedNode } from '../document/fieldParts.ts';
 import {
   commit,
   type History,
@@ -21,7 +26,10 @@ import {
 } from '../document/history.ts';
 import { type Background, DEFAULT_LOOK, type Look, type Mode, type Style } from '../document/look.ts';
 import { GROWING, isTooLarge } from '../document/size.ts';
+import { nodeOf } from '../document/solidNode.ts';
 import type { FieldNode } from '../field/node.ts';
+import type { RayCamera } from '../field/rayImage.ts';
+import type { Vec3 } from '../math/vec.ts';
 // Only the pure parts of the scene at once: three.js is fetched when there is a page to draw on.
 import type { Scene } from '../scene/index.ts';
 import { AIR, type Margins } from '../scene/view.ts';
@@ -35,27 +43,35 @@ import type { Viewport } from '../tool/viewport.ts';
 import { Bodies, type News } from './bodies.ts';
 import { CameraMoves } from './cameraMoves.ts';
 import { draftProblem } from './draftProblem.ts';
+import { longName, previewWords, rememberStart, shortName } from './draftWords.ts';
 import type { Cause } from './events.ts';
 import { Exact } from './exact.ts';
-import { pickedOn } from './exactPick.ts';
+import { isCastable, pickedAmong, pickedOn } from './exactPick.ts';
 import { type Flaw, flawsIn } from './flaws.ts';
 import { Frames } from './frames.ts';
 import type { NoPicture } from './noPicture.ts';
 import type { Picked } from './picked.ts';
 import { Rays } from './rays.ts';
 import { spoken } from './speech.ts';
-import { SURFACE, WORDS } from './words.ts';
+import { Timing } from './timing.ts';
+import { SILHOUETTE_WORDS, SOLID_WORDS, SURFACE, WORDS } from './words.ts';
 
 export interface Notice {
   readonly text: string;
   /** goes with the next deed */
   readonly passing?: boolean;
+  /** places on the ink that it is about, mm */
+  readonly marks?: readonly Vec3[];
   readonly actions: readonly { readonly label: string; run(): void }[];
 }
 
 export const TOOLS = { draw: idle, select: selecting } as const;
 /** ms: what takes less is done before one asks */
 const PATIENCE = 500;
+/** ms: a pen or a slider that is still for so long rests, and what is shown is made finely */
+const REST = 150;
+/** Commands that make another form of the unfinished strokes. */
+const FORMING = ['addStroke', 'setTubesOnly', 'setForm'];
 
 export type ToolName = keyof typeof TOOLS;
 
@@ -100,8 +116,23 @@ export class Session implements Bench, Viewport {
   #tuned: State | null = null;
   /** bodies whose problem was told */
   readonly #told = new WeakSet<FieldNode>();
+  /** that some rows could not be cast, since exact mode was switched on */
+  #toldRows = false;
   /** where one looked from when there last was a scene */
   #lastView: View = FRONT_VIEW;
+  /** what is shown while a gesture is under way, by that */
+  #preview: { readonly state: State; readonly document: Document; readonly shown: Document } | null = null;
+  /** what moves has been still for a while */
+  #rests = false;
+  #resting: ReturnType<typeof setTimeout> | undefined;
+  /** that were last asked for, and whether roughly */
+  #wanted: { readonly nodes: readonly FieldNode[]; readonly isRough: boolean } = {
+    nodes: [],
+    isRough: false,
+  };
+  readonly #timing = new Timing();
+  /** ms, while what the pen drew is taken in */
+  #lifted: number | null = null;
   readonly frames: Frames;
   readonly bodies = new Bodies((news) => this.#bodyNews(news));
   readonly rays = new Rays();
@@ -111,6 +142,10 @@ export class Session implements Bench, Viewport {
   constructor(hooks: Hooks) {
     this.#hooks = hooks;
     this.frames = new Frames(this, () => hooks.drawn());
+    this.rays.onRefused = (why) => {
+      this.said = WORDS.raysRefused(why);
+      this.update();
+    };
   }
 
   get document(): Document {
@@ -126,12 +161,22 @@ export class Session implements Bench, Viewport {
   }
 
   /** On bodies their surface itself, whatever is seen of them: strokes that start there stay, meshes do not. */
-  pick(x: number, y: number, except?: readonly string[]): Picked | null {
-    const hit = this.scene?.pick(x, y, except) ?? null;
+  pick(x: number, y: number, except: readonly string[] = []): Picked | null {
+    const isSeen = ({ id, hidden }: NamedNode) => !hidden && !except.includes(id);
+    const all = this.look.mode === 'exact' ? bodiesOf(this.document).filter(isSeen) : [];
+    const bodies = all.filter(isCastable);
+    const hit = this.scene?.pick(x, y, [...except, ...bodies.map(({ id }) => id)]) ?? null;
+    if (bodies.length > 0) return this.scene && pickedAmong(bodies, hit, this.#camera, [x, y]);
     if (!hit) return null;
-    const part = this.document.parts.filter(isBody).find(({ id }) => id === hit.id);
-    const made = part && bodyMade(part.node);
+    const parts = partsWithDraft(this.document);
+    const part = parts.filter(isImplicit).find(({ id }) => id === hit.id);
+    const made = part && bodyMade(nodeOf(part));
     return made ? pickedOn(hit, part, rayAt(this.view, this.size, x, y), made) : { ...hit, skel: null };
+  }
+
+  /** For rays through places in CSS pixels. */
+  get #camera(): RayCamera {
+    return { view: this.view, ...this.size, offset: [0, 0] };
   }
 
   focus(ids: readonly string[]): void {
@@ -156,7 +201,10 @@ export class Session implements Bench, Viewport {
     }
     this.history = history;
     this.said = said;
-    if (commands.some(({ type }) => type === 'addStroke' || type === 'setTubesOnly')) this.#sayPreview();
+    for (const command of commands)
+      if (command.type === 'addStroke' && command.joins) rememberStart(command.stroke, command.joins);
+    if (commands.some(({ type }) => FORMING.includes(type))) this.#sayPreview();
+    if (commands.some(({ type }) => type === 'addStroke')) this.#sayCrossings();
     this.#replaced(before, commands, 'command');
   }
 
@@ -170,17 +218,38 @@ export class Session implements Bench, Viewport {
   #replaced(before: Document, commands: readonly Command[], cause: Cause): void {
     this.update();
     if (this.document === before) return;
+    if (commands.some(({ type }) => FORMING.includes(type))) this.#time();
     if (commands.some(({ type }) => type === 'load')) this.bodies.forget();
     this.wantBodies();
     this.select(this.selection);
     this.#hooks.committed(commands, cause);
   }
 
-  /** Those that are seen are made beside the page. */
+  #time(): void {
+    const drawn = draftPart(this.document);
+    this.#timing.begin(drawn && nodeOf(drawn), this.#lifted ?? performance.now());
+  }
+
+  /** Those that are seen are made beside the page: roughly while what moves is one of them. */
   wantBodies(): void {
-    const seen = this.document.parts.filter((part) => !part.hidden).filter(isBody);
-    if (seen.length === 0) this.bodies.want([]);
-    else this.bodies.want(seen, cellsOfBodies(this.document));
+    const { bodies, isRough } = this.#seenBodies();
+    this.#wanted = { nodes: bodies.map(({ node }) => node), isRough };
+    if (bodies.length === 0) this.bodies.want([]);
+    else this.bodies.want(bodies, cellsOfBodies(this.document), { isRough });
+  }
+
+  /** For what is only shown: nothing where the bodies are the same. */
+  wantShown(): void {
+    const { bodies, isRough } = this.#seenBodies();
+    const { nodes } = this.#wanted;
+    const isSame = bodies.length === nodes.length && bodies.every(({ node }, i) => node === nodes[i]);
+    if (!isSame || isRough !== this.#wanted.isRough) this.wantBodies();
+  }
+
+  #seenBodies(): { readonly bodies: readonly NamedNode[]; readonly isRough: boolean } {
+    const shown = this.shown();
+    const bodies = bodiesOf(shown).filter(({ hidden }) => !hidden);
+    return { bodies, isRough: !this.#rests && shown !== this.document && draftPart(shown) !== null };
   }
 
   #bodyNews(news: News): void {
@@ -188,7 +257,8 @@ export class Session implements Bench, Viewport {
       this.#hooks.changed();
       return;
     }
-    const lost = this.document.parts.filter(isBody).find(({ node }) => this.#isNewProblem(node));
+    this.#timing.look(cellsOfBodies(this.document));
+    const lost = bodiesOf(this.document).find(({ node }) => this.#isNewProblem(node));
     if (lost) {
       this.#told.add(lost.node);
       const text = WORDS.notMade(lost.name, this.bodies.problem(lost.node) ?? '');
@@ -201,7 +271,7 @@ export class Session implements Bench, Viewport {
 
   /** Once of each tree, when all is made: what is not seen of it. */
   #sayFlaws(): void {
-    const nodes = new Map(this.document.parts.filter(isBody).map(({ id, node }) => [id, node]));
+    const nodes = new Map(bodiesOf(this.document).map(({ id, node }) => [id, node]));
     // rays see what is thin, and whether gaps are open
     const isSeen = ({ what }: Flaw) => this.look.mode === 'mesh' || what === 'none' || what === 'cut';
     const fresh = this.flaws.filter((flaw) => isSeen(flaw) && !this.#told.has(nodes.get(flaw.part)!));
@@ -218,8 +288,20 @@ export class Session implements Bench, Viewport {
 
   /** There is more to be seen of it, or to be said. */
   #exactNews(): void {
+    this.#sayExact();
     this.#hooks.changed();
     this.frames.wake();
+  }
+
+  /** Whoever heard that it is on its way hears once how that ended, unless something else was said since. */
+  #sayExact(): void {
+    if (this.exact.isInPart && !this.#toldRows) {
+      this.#toldRows = true;
+      this.said = WORDS.rowsLost;
+    }
+    if (this.said !== WORDS.onItsWay) return;
+    if (this.exact.problem !== null) this.said = WORDS.noExact(this.exact.problem);
+    else if (this.exact.evaluationsAPixel !== null) this.said = WORDS.mode.exact;
   }
 
   #isNewProblem(node: FieldNode): boolean {
@@ -229,7 +311,7 @@ export class Session implements Bench, Viewport {
   /** What is being made, when that takes long enough to be asked about; '' otherwise. */
   get making(): string {
     const { making, share, elapsed } = this.bodies;
-    const part = this.document.parts.filter(isBody).find(({ node }) => node === making);
+    const part = bodiesOf(this.document).find(({ node }) => node === making);
     return part && elapsed > PATIENCE ? WORDS.making(part.name, Math.round(100 * share)) : '';
   }
 
@@ -279,23 +361,38 @@ export class Session implements Bench, Viewport {
 
   // ── selection and tools ─────────────────────────────────────────────────────────────────────────────
 
-  /** Ids that no part has are left out. */
+  /** Of parts, and of what solids are made of; ids that nothing has are left out. */
   select(ids: readonly string[]): void {
-    const known = this.document.parts.map(({ id }) => id).filter((id) => ids.includes(id));
+    const wanted = new Set(ids);
+    const known =
+      ids.length === 0
+        ? []
+        : itemsOf(this.document)
+            .map(({ id }) => id)
+            .filter((id) => wanted.has(id));
     const same = known.length === this.selection.length && known.every((id, i) => id === this.selection[i]);
     if (same) return;
     this.selection = known;
     this.frames.version++;
-    this.scene?.select(known);
+    this.#contour();
     this.update();
     this.#hooks.selected(known);
   }
 
+  /** Of a group the part is seen that it is in. */
+  #contour(): void {
+    this.scene?.select(partsWith(this.document, this.selection).map(({ id }) => id));
+  }
+
   /** Words for a selection a person made. */
   saySelection(): void {
-    const { parts } = this.document;
-    const names = parts.filter(({ id }) => this.selection.includes(id)).map(({ name }) => name);
-    this.said = WORDS.selected(names, parts.length);
+    const chosen = itemsOf(this.document).filter(({ id }) => this.selection.includes(id));
+    const names = chosen.map(({ name }) => name);
+    const [only] = partsWith(this.document, this.selection);
+    const isPart = names.length !== 1 || only?.id === this.selection[0];
+    this.said = isPart
+      ? WORDS.selected(names, this.document.parts.length)
+      : SOLID_WORDS.selectedIn(names[0]!, only!.name);
     this.update();
   }
 
@@ -315,11 +412,20 @@ export class Session implements Bench, Viewport {
   }
 
   #sayPreview(): void {
-    const kind = readingOf(this.document);
-    if (!kind) return;
-    this.said = WORDS.preview(kind);
+    if (!readingOf(this.document)) return;
     const problem = draftProblem(this.document);
-    if (problem) this.said = `${SURFACE[kind].long}: ${problem}`;
+    this.said = problem ? `${longName(this.document)}: ${problem}` : previewWords(this.document);
+  }
+
+  /** Nothing drawn is lost: what goes round something twice is filled once. */
+  #sayCrossings(): void {
+    const marks = draftCrossings(this.document);
+    if (marks.length === 0) return;
+    const actions = [
+      { label: SILHOUETTE_WORDS.redraw, run: () => this.undo() },
+      { label: SILHOUETTE_WORDS.join, run: () => {} },
+    ];
+    this.notice = { text: SILHOUETTE_WORDS.crosses, passing: true, marks, actions };
   }
 
   keep(): void {
@@ -402,7 +508,9 @@ export class Session implements Bench, Viewport {
   }
 
   up(): void {
+    this.#lifted = performance.now();
     this.#to(this.state.up?.(this));
+    this.#lifted = null;
     this.#hooks.changed();
   }
 
@@ -442,14 +550,29 @@ export class Session implements Bench, Viewport {
   #to(next: State | undefined): void {
     if (!next) return;
     const shows = ({ wet, still }: State) => Boolean(wet ?? still);
-    const began = shows(next) !== shows(this.state);
+    const closes = next.wet !== undefined && next.wet.closing !== (this.state.wet?.closing ?? false);
+    const began = closes || shows(next) !== shows(this.state);
     this.state = next;
+    this.#stir();
+    // said once, not at every move
+    if (closes) this.said = previewWords(this.shown());
     this.update(began);
   }
 
-  notify(notice: ToolNotice): void {
+  /** It moves, and may rest in a moment. */
+  #stir(): void {
+    clearTimeout(this.#resting);
+    this.#rests = false;
+    if (!this.state.preview) return;
+    this.#resting = setTimeout(() => {
+      this.#rests = true;
+      this.update(false);
+    }, REST);
+  }
+
+  notify(notice: ToolNotice, offer: readonly Command[] = []): void {
     if (notice === 'selected') this.saySelection();
-    if (notice === 'too-short') this.said = WORDS.tooShort;
+    if (notice === 'too-short') this.#offerPoint(offer);
     if (notice === 'edge-on') {
       const first = this.document.draft?.strokes[0];
       const turnBack = () => first && this.scene?.rig.setView(first.view, true);
@@ -461,6 +584,13 @@ export class Session implements Bench, Viewport {
       };
     }
     this.update();
+  }
+
+  #offerPoint(offer: readonly Command[]): void {
+    this.said = offer.length > 0 ? WORDS.orPoint : WORDS.tooShort;
+    if (offer.length === 0) return;
+    const actions = [{ label: WORDS.point, run: () => this.commit(offer) }];
+    this.notice = { text: WORDS.orPoint, passing: true, actions };
   }
 
   // ── the picture ─────────────────────────────────────────────────────────────────────────────────────
@@ -475,11 +605,13 @@ export class Session implements Bench, Viewport {
 
   /** There is something that rays can be cast at. */
   get hasBodies(): boolean {
-    return this.document.parts.some((part) => isBody(part) && !part.hidden);
+    return bodiesOf(this.document).some(({ hidden }) => !hidden);
   }
 
   setMode(mode: Mode): void {
-    this.said = this.hasBodies ? WORDS.mode[mode] : WORDS.noBodies;
+    if (mode !== this.look.mode) this.#toldRows = false;
+    const words = mode === 'exact' && mode !== this.look.mode ? WORDS.onItsWay : WORDS.mode[mode];
+    this.said = this.hasBodies ? words : WORDS.noBodies;
     if (this.hasBodies) this.setLook({ mode });
     else this.update();
   }
@@ -516,12 +648,12 @@ export class Session implements Bench, Viewport {
     if (this.scene !== scene) this.scene?.dispose();
     this.scene = scene;
     // images lie on the device of the scene before
-    this.exact.rest();
+    this.exact.drop();
     this.rays.use(scene);
     this.frames.version++;
     scene.rig.setView(this.#lastView, false);
     scene.setLook(this.look);
-    scene.select(this.selection);
+    this.#contour();
     this.update();
   }
 
@@ -541,16 +673,24 @@ export class Session implements Bench, Viewport {
 
   /** The document as shown: with the stroke under the pen, or as a slider would make it. */
   shown(): Document {
-    return this.state.preview?.(this) ?? this.document;
+    const { state, document } = this;
+    if (this.#preview?.state === state && this.#preview.document === document) return this.#preview.shown;
+    const preview = state.preview?.(this) ?? document;
+    const isOld = preview.draft === document.draft && preview.brush === document.brush;
+    const shown = isOld ? preview : roughly(preview);
+    this.#preview = { state, document, shown };
+    return shown;
   }
 
-  /** What rays do, or did; null: triangles are seen. */
+  /** What rays do, or did; null: triangles are wanted, or there is no picture. */
   get #rays(): string | null {
     const { share, evaluationsAPixel, problem, milliseconds } = this.exact;
-    if (this.look.mode !== 'exact' || !this.hasBodies) return null;
+    if (this.look.mode !== 'exact' || !this.hasBodies || !this.scene) return null;
     if (problem !== null) return WORDS.notExact;
-    if (share !== null) return WORDS.casting(Math.round(100 * share));
-    return evaluationsAPixel === null ? null : WORDS.exact(evaluationsAPixel, milliseconds);
+    // also before it is begun, and while something moves
+    if (evaluationsAPixel === null) return WORDS.casting(Math.floor(100 * (share ?? 0)));
+    const words = WORDS.exact(evaluationsAPixel, milliseconds);
+    return this.exact.isInPart ? WORDS.inPart(words) : words;
   }
 
   /** Whether the picture is a mesh or exact, and of what; or what is being made. */
@@ -565,11 +705,12 @@ export class Session implements Bench, Viewport {
     const last = this.document.parts.at(-1);
     const kind = readingOf(this.document) ?? last?.kind;
     if (!kind) return '';
-    const body = last && isBody(last) ? bodyMade(last.node) : null;
+    const body = last && isImplicit(last) ? bodyMade(nodeOf(last)) : null;
     const grid = `${RESOLUTION.u} × ${RESOLUTION.v} mesh`;
-    const mesh = kind !== 'body' ? grid : body ? `${body.cells} cells` : '';
+    const mesh = kind !== 'body' && kind !== 'solid' ? grid : body ? `${body.cells} cells` : '';
     const time = this.frames.buildTime;
     const took = time > 0 ? `${Math.max(1, Math.round(time))} ms` : '';
-    return [SURFACE[kind].name, mesh, took].filter(Boolean).join(' · ');
+    const name = this.document.draft ? shortName(this.document) : SURFACE[kind].name;
+    return [name, mesh, took].filter(Boolean).join(' · ');
   }
 }

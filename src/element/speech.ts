@@ -1,12 +1,14 @@
 /** What the status line says of a command; `document` is the one before it. Null: nothing worth saying. */
+import { itemsOf } from '../document/command/changeParts.ts';
 import { type Command, describe } from '../document/command/index.ts';
-import { type Document, readingOf } from '../document/document.ts';
+import type { Document } from '../document/document.ts';
+import { keptWords } from './draftWords.ts';
 import { WORDS } from './words.ts';
 
 export function spoken(document: Document, command: Command): string | null {
   switch (command.type) {
     case 'keep':
-      return kept(document);
+      return keptWords(document);
     case 'drop':
       return WORDS.dropped;
     case 'removeLast':
@@ -22,6 +24,7 @@ export function spoken(document: Document, command: Command): string | null {
     case 'removeParts':
       return deleted(document, names(document, command.ids));
     case 'addStroke':
+    case 'setForm':
     case 'setTubesOnly':
       return null;
     case 'renamePart':
@@ -29,6 +32,10 @@ export function spoken(document: Document, command: Command): string | null {
     case 'moveParts':
     case 'showParts':
     case 'duplicateParts':
+    case 'mirrorParts':
+    case 'scaleParts':
+    case 'moveGroups':
+    case 'paste':
       return describe(document, command);
     case 'load':
       return WORDS.opened(command.name);
@@ -37,15 +44,10 @@ export function spoken(document: Document, command: Command): string | null {
   }
 }
 
-function kept(document: Document): string | null {
-  const kind = readingOf(document);
-  if (!kind) return null;
-  const made = kind === 'tube' ? (document.draft?.strokes.length ?? 0) : 1;
-  return WORDS.kept(kind, document.parts.length + made);
-}
-
 const names = (document: Document, ids: readonly string[]) =>
-  document.parts.filter(({ id }) => ids.includes(id)).map(({ name }) => name);
+  itemsOf(document)
+    .filter(({ id }) => ids.includes(id))
+    .map(({ name }) => name);
 
 function deleted(document: Document, parts: readonly string[]): string {
   if (parts.length === 0) return document.draft ? WORDS.dropped : WORDS.nothingToDelete;

@@ -1,5 +1,6 @@
 /** Where Zhu et al. look for bodies (field/zhuVolumes.ts), as lines over the picture. */
-import { type Document, isBody } from '../document/document.ts';
+import type { Document } from '../document/document.ts';
+import { bodiesOf } from '../document/fieldParts.ts';
 import { volumeLines } from '../field/volumeLines.ts';
 
 const drawn = new WeakMap<Document, Float32Array>();
@@ -8,7 +9,7 @@ const drawn = new WeakMap<Document, Float32Array>();
 export function guidesOf(document: Document): Float32Array {
   const known = drawn.get(document);
   if (known) return known;
-  const bodies = document.parts.filter(isBody).filter(({ hidden }) => !hidden);
+  const bodies = bodiesOf(document).filter(({ hidden }) => !hidden);
   const each = bodies.map(({ node, placement }) => volumeLines(node, placement));
   const all = new Float32Array(each.reduce((sum, { length }) => sum + length, 0));
   let at = 0;

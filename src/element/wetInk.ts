@@ -3,10 +3,10 @@
  * pencil (numbers, axis, the ring where a stroke starts on a part, the line that would close it). A canvas of its
  * own over the picture, so that ink never waits for the field.
  */
-import { curveOfStroke } from '../document/build.ts';
-import { type Brush, isBody, readingOf } from '../document/document.ts';
+import { curveOfStroke } from '../document/curves.ts';
+import { type Brush, isSurface, readingOf } from '../document/document.ts';
 import { place3, UNMOVED } from '../math/placement.ts';
-import type { Vec2 } from '../math/vec.ts';
+import type { Vec2, Vec3 } from '../math/vec.ts';
 import { project, toWorld } from '../stroke/plane.ts';
 import type { Stroke } from '../stroke/stroke.ts';
 import type { Band, Pen, Wet } from '../tool/tool.ts';
@@ -47,9 +47,35 @@ export function drawInk(
   if (lines.length === 2 && readingOf(session.document) === 'rotational')
     drawAxis(context, lines[0]!, lines[1]!, colours);
   for (const line of lines) drawLine(context, line, colours.ink);
-  for (const i of lines.keys()) drawNumber(context, i, lines, colours);
+  // outlines are not counted
+  if (readingOf(session.document) !== 'solid')
+    for (const i of lines.keys()) drawNumber(context, i, lines, colours);
+  for (const mark of session.notice?.marks ?? []) drawMark(context, mark, session, colours);
   if (session.state.wet) drawWet(context, session.state.wet, predicted, colours);
   if (session.state.band) drawBand(context, session.state.band, colours);
+}
+
+/** Where an outline crosses itself: a cross in a ring, on paper so that it stands out from the ink. */
+function drawMark(
+  context: CanvasRenderingContext2D,
+  mark: Vec3,
+  { view, size }: Session,
+  colours: InkColours,
+): void {
+  const at = project(view, size, mark);
+  if (!at) return;
+  const [x, y] = at;
+  context.beginPath();
+  context.arc(x, y, 10, 0, 2 * Math.PI);
+  context.fillStyle = colours.paper;
+  context.fill();
+  context.strokeStyle = colours.pencil;
+  context.lineWidth = 2;
+  context.moveTo(x - 4, y - 4);
+  context.lineTo(x + 4, y + 4);
+  context.moveTo(x + 4, y - 4);
+  context.lineTo(x - 4, y + 4);
+  context.stroke();
 }
 
 /** The rectangle that selects what it takes in. */
@@ -69,7 +95,7 @@ function drawBand(context: CanvasRenderingContext2D, { from, to }: Band, { penci
 /** Where nothing can be shaded, what was kept is still seen: its strokes, in its colours. */
 function drawParts(context: CanvasRenderingContext2D, session: Session): void {
   for (const part of session.document.parts) {
-    if (part.hidden || isBody(part)) continue;
+    if (part.hidden || !isSurface(part)) continue;
     const { strokes, brush, placement } = part;
     for (const stroke of strokes) drawLine(context, dried(stroke, brush, session, placement), brush.colour);
   }

@@ -1,14 +1,14 @@
 /** All words of the interface: plain verbs, no exclamation marks. */
 
-import type { Part } from '../document/document.ts';
+import type { Part, Reading } from '../document/document.ts';
 import { PAGE } from '../field/polygonize.ts';
-import type { SurfaceKind } from '../surface/index.ts';
 
 /** What parts are called by what they are made of. */
 export const SURFACE: Readonly<Record<Part['kind'], { readonly name: string; readonly long: string }>> = {
   tube: { name: 'Tube', long: 'Tube' },
   rotational: { name: 'Rotational', long: 'Rotational surface' },
   body: { name: 'Body', long: 'Implicit body' },
+  solid: { name: 'Solid', long: 'Soft solid' },
 };
 
 const thousands = (count: number): string => String(count).replace(/\B(?=(\d{3})+$)/g, ',');
@@ -28,8 +28,8 @@ export const WORDS = {
   ],
   ready: 'Ready to draw',
   loading: 'Preparing the picture',
-  preview: (kind: SurfaceKind) => `${SURFACE[kind].long}, preview`,
-  kept: (kind: SurfaceKind, parts: number) => `${SURFACE[kind].long} added, part ${parts}`,
+  preview: (kind: Reading) => `${SURFACE[kind].long}, preview`,
+  kept: (long: string, parts: number) => `${long} added, part ${parts}`,
   dropped: 'Dropped. Undo brings it back',
   undone: (what: string) => `Undone: ${what}`,
   redone: (what: string) => `Redone: ${what}`,
@@ -58,13 +58,21 @@ export const WORDS = {
   volumesHint: 'Around each skel all that it can be inside of, after Zhu et al. (M)',
   volumesSaid: (on: boolean) => (on ? 'Bounding volumes of the skels' : 'No bounding volumes'),
   noBodies: 'There is no implicit body in this drawing: all of it is triangles anyway.',
-  casting: (percent: number) => `casting rays, ${percent} %`,
+  /** at once, before anything of it is seen */
+  onItsWay: 'The exact surface of bodies is on its way',
+  casting: (percent: number) => `exact on its way · ${percent} %`,
   mesh: (triangles: number) => `mesh · ${thousands(triangles)} triangles`,
   exact: (evaluations: number, milliseconds: number) =>
     `exact · ${evaluations < 10 ? evaluations.toFixed(1) : Math.round(evaluations)} evaluations per pixel · ${seconds(milliseconds)}`,
+  raysRefused: (why: string) => `Processors or triangles stand in for rays: ${why}`,
+  inPart: (exact: string) => `${exact} · some rows triangles`,
+  rowsLost: 'Some rows of the picture could not be cast: bodies are triangles there',
   notExact: 'no rays here, triangles',
+  noExact: (why: string) => `There is no exact surface here, bodies stay triangles: ${why}`,
   style: (name: string) => `Style: ${name.toLowerCase()}`,
   tooShort: 'A dot is too short for a tube. Draw a longer line.',
+  orPoint: 'A dot is too short for a tube. Make it a point?',
+  point: 'Point',
   edgeOn: 'The form’s drawing plane is seen from its edge.',
   turnBack: 'Turn back',
   /** what an unfinished form is that no part can be made of */
@@ -205,6 +213,8 @@ export const PART_WORDS = {
     y: 'Move along Y',
     z: 'Move along Z',
     surface: 'Slide over the surface',
+    turn: 'Turn about the line of sight',
+    scale: 'Make it larger or smaller',
   },
   action: {
     hide: 'Hide',
@@ -241,7 +251,11 @@ export const KEYS: readonly { readonly keys: string; readonly does: string }[] =
   { keys: 'F', does: 'Full screen' },
   { keys: 'Delete', does: 'Delete what is selected' },
   { keys: 'H', does: 'Hide or show what is selected' },
+  { keys: 'K', does: 'Skeleton of the form that is selected' },
   { keys: 'Ctrl A', does: 'Select everything' },
+  { keys: 'Ctrl D', does: 'Duplicate what is selected' },
+  { keys: 'Shift M', does: 'Mirror what is selected' },
+  { keys: 'Ctrl C, Ctrl X, Ctrl V', does: 'Copy, cut, paste what is selected' },
   { keys: 'C', does: 'Delete the last part' },
   { keys: 'E', does: 'Delete everything' },
   { keys: 'Arrows', does: 'Turn the view' },
@@ -252,3 +266,132 @@ export const KEYS: readonly { readonly keys: string; readonly does: string }[] =
   { keys: 'Ctrl O', does: 'Open a file' },
   { keys: '?', does: 'This sheet' },
 ];
+
+/** Words of solids in the list, in their card and at their handles. */
+export const SOLID_WORDS = {
+  form: { soft: 'Soft', plate: 'Plate', ring: 'Ring', line: 'Line', curve: 'Curve', point: 'Point' },
+  selectedIn: (name: string, solid: string) => `${name} of ${solid} selected`,
+  component: (groups: number) => (groups === 1 ? '1 form blends here' : `${groups} forms blend`),
+  inside: (components: number, groups: number) =>
+    components > 1 ? `${components} components` : groups === 1 ? '1 form' : `${groups} forms`,
+  open: (name: string) => `Show what ${name} is made of`,
+  closed: (name: string) => `Hide what ${name} is made of`,
+  carves: 'carves',
+  byHand: 'edited skeleton',
+  dropOn: {
+    blend: (name: string) => `Blend with ${name}`,
+    attach: (name: string) => `Attach to ${name}`,
+    own: 'On its own',
+  },
+  nowhere: 'Drop on a form, a component or a solid',
+  what: 'What it becomes',
+  radius: { plate: 'Half thickness', other: 'Radius' },
+  weight: 'Weight',
+  weightHint: 'How much it counts in the sum; below 0 it carves.',
+  depth: 'Depth',
+  depthHint: 'Thickness off the plane it was drawn on (β of y)',
+  breadth: 'Breadth',
+  breadthHint: 'Width within the plane it was drawn on (β of x)',
+  section: 'Cross section',
+  sections: { round: 'Round', superQuadric: 'Super-quadric', extrusion: 'Extrusion' },
+  exponent: 'Corners',
+  exponentHint: '1 is a rhombus, 2 round, above it nears a box (α)',
+  kernel: 'Kernel',
+  kernelHint: 'How the influence of a skel fades; of all that blend in a component',
+  threshold: 'Threshold',
+  thresholdHint: 'Where the surface lies: lower is thicker, and blends from further off (T)',
+  join: 'Belongs to',
+  joinHint: 'Forms of one component blend; components of a solid touch without blending.',
+  joinNow: (component: string, solid: string) => (component ? `${component} of ${solid}` : solid),
+  newComponent: (solid: string) => `Attached to ${solid}`,
+  fit: (percent: string, atBound: number, ratio: string) =>
+    `Off its outline by ${percent} % at most · ${atBound} % of weights at a bound · neighbours 1 : ${ratio}`,
+  mirror: 'Mirror',
+  mirrorCopy: 'Mirror copy',
+  mirrorHint: (about: string | null) =>
+    about === null
+      ? 'Flips it where it is: nothing else is there, or it lies in the middle'
+      : `To the other side of the middle of ${about}, as you look at it`,
+  copy: 'Copy',
+  paste: 'Paste',
+  copied: (name: string) => `${name} copied`,
+  cut: (name: string) => `${name} cut. Undo brings it back`,
+  pasted: (name: string) => `${name} pasted`,
+  noPaste: 'There is nothing of a drawing to paste',
+  handle: { turn: 'Turn', scale: 'Scale' },
+  turnHint: 'Drag around, with Shift in steps of 15°; arrow keys 1°, with Shift 10°.',
+  scaleHint: 'Drag outward, with Shift in steps of 10 %; arrow keys 1 %, with Shift 10 %.',
+} as const;
+
+/** What strokes become in a solid: short on chips; in full; and what it is good for. */
+export const FORMS = {
+  soft: { name: 'Soft', long: 'Soft solid', hint: 'A soft body that follows the outline' },
+  plate: { name: 'Plate', long: 'Plate', hint: 'Flat between its two sides, as thick as the radius says' },
+  ring: { name: 'Ring', long: 'Ring', hint: 'Around along the outline, open in the middle' },
+  carve: { name: 'Carve', long: 'Carving', hint: 'Takes away from what it starts on' },
+  tube: { name: 'Tube', long: 'Tube', hint: 'A tube with a surface of its own' },
+  line: { name: 'Line', long: 'Line', hint: 'A soft line that blends with its neighbours' },
+  curve: { name: 'Curve', long: 'Curve', hint: 'A soft curve of few control points' },
+  point: { name: 'Point', long: 'Point', hint: 'A ball of the radius' },
+} as const;
+export type FormWord = keyof typeof FORMS;
+
+/** How a solid goes with the one it starts on. */
+export const JOINS = {
+  blend: { name: 'Blend', hint: (of: string) => `Melts with ${of}` },
+  attach: { name: 'Attach', hint: (of: string) => `Sits on ${of}, with a crease between them` },
+  apart: { name: 'Apart', hint: () => 'A part of its own' },
+} as const;
+export type JoinWord = keyof typeof JOINS;
+
+/** Words of silhouettes in the hand. */
+export const SILHOUETTE_WORDS = {
+  forms: 'What the strokes become',
+  joins: (name: string) => `How it goes with ${name}`,
+  joinsFact: {
+    blend: (name: string) => `joins ${name}`,
+    attach: (name: string) => `sits on ${name}`,
+    carve: (name: string) => `from ${name}`,
+  },
+  holes: (count: number) => (count === 1 ? '1 hole' : `${count} holes`),
+  radius: (mm: number) => `${mm} mm radius`,
+  thick: (mm: number) => `${mm} mm thick`,
+  preview: (long: string) => `${long}, preview`,
+  previewOf: {
+    joins: (long: string, joined: string) => `${long}, preview. Joins ${joined}`,
+    sitsOn: (long: string, joined: string) => `${long}, preview. Sits on ${joined}`,
+  },
+  carving: (joined: string) => `Carving, preview. Takes away from ${joined}`,
+  added: (long: string, joined: string) => `${long} added to ${joined}`,
+  carved: (joined: string) => `${joined} carved`,
+  meter: 'Closed outline, or a tube',
+  closed: 'Closed outline',
+  open: 'Leave it open: tube',
+  shortOpen: 'Open: tube',
+  crosses: 'The outline crosses itself.',
+  redraw: 'Redraw',
+  join: 'Join the parts',
+  nothing: 'nothing to fill',
+  asTube: 'Tube',
+} as const;
+
+/** Words of skeletons in the hand, and of profiles. */
+export const SKELETON_WORDS = {
+  show: 'Skeleton',
+  of: (name: string) => `Skeleton of ${name}`,
+  shown: (name: string, nodes: number) => `Skeleton of ${name}, ${nodes === 1 ? '1 node' : `${nodes} nodes`}`,
+  hidden: 'Skeleton hidden',
+  none: 'Select one form of a solid to see its skeleton',
+  node: (node: number, of: number, radius: number) =>
+    `Node ${node} of ${of}, radius ${Math.round(10 * radius) / 10} mm`,
+  hint: 'Arrow keys move it 1 mm, with Shift 10 mm; plus and minus change its radius; Page Up and Page Down go to the next; Enter splits a link; Delete removes it.',
+  add: 'Add a node: drag to where it goes',
+  remove: 'Delete the node',
+  edited: (name: string) => `Skeleton of ${name} edited`,
+  reset: (name: string) => `Skeleton of ${name} as the strokes say`,
+  profile: 'Profile',
+  profileOf: (name: string) => `Profile of ${name}`,
+  profilePoint: (point: number, of: number) => `Thickness at ${point} of ${of}`,
+  profileEven: 'Even',
+  profileByHand: 'The skeleton was edited: its own radii count.',
+} as const;

@@ -4,7 +4,8 @@
  */
 import { bodyMade, makeBody } from '../document/bodies.ts';
 import { type Resolution, type Solid, solids } from '../document/build.ts';
-import { type Document, isBody } from '../document/document.ts';
+import { type Document, isImplicit } from '../document/document.ts';
+import { nodeOf } from '../document/solidNode.ts';
 import { glb } from './glb.ts';
 import { obj } from './obj.ts';
 import { ply } from './ply.ts';
@@ -43,7 +44,7 @@ export const exporters: Readonly<Record<Format, Exporter>> = { obj, glb, stl, pl
 /** The kept, visible parts of a document; the unfinished form is left out. Bodies are as they were made last, or made now. */
 export function modelOf(document: Document, name: string, resolution?: Resolution): Model {
   for (const part of document.parts) {
-    if (isBody(part) && !part.hidden && !bodyMade(part.node)) makeBody(part.node);
+    if (isImplicit(part) && !part.hidden && !bodyMade(nodeOf(part))) makeBody(nodeOf(part));
   }
   return { name: name || 'rotund', solids: solids(document, resolution) };
 }

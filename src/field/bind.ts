@@ -18,7 +18,7 @@ import { hardUnion } from './hardUnion.ts';
 import { coloured, moved } from './leaf.ts';
 import { morph } from './morph.ts';
 import type { Colour, FieldNode, SetNode, ShapeNode, SkelsNode, Term } from './node.ts';
-import { checkThreshold, skelSum } from './skelSum.ts';
+import { checkThreshold, skelSum, type Widths } from './skelSum.ts';
 import { smoothUnion } from './smoothUnion.ts';
 import type { LeafField, TreeField } from './treeField.ts';
 import { bindWarped, type Warp } from './warp.ts';
@@ -95,22 +95,24 @@ function bindSkels(node: SkelsNode): LeafField {
   checkThreshold(node.threshold);
   at('colour', () => checkedColour(node.colour ?? PLAIN));
   const terms = node.skels.flatMap((term, i) => at(`skels[${i}]`, () => boundTerms(term, node)));
-  return skelSum(terms, node.threshold, widthOf(kernel, node));
+  return skelSum(terms, node.threshold, widthsOf(kernel, node));
 }
 
-/** mm, of the narrowest term; null for kernels that have none. */
-function widthOf(kernel: Kernel, { params, skels }: SkelsNode): number | null {
+/** Of the narrowest and of the widest term; null for kernels that have none. */
+function widthsOf(kernel: Kernel, { params, skels }: SkelsNode): Widths | null {
   if (kernel.homogeneity !== 0) return null;
-  return kernel.unit(checkedParams(kernel, params), 1) * narrowest(skels);
+  const own = kernel.unit(checkedParams(kernel, params), 1);
+  let [least, most] = [Infinity, 0];
+  for (const term of skels) {
+    const width = term.params ? kernel.unit(checkedParams(kernel, term.params), 1) : own;
+    least = Math.min(least, width * narrowing(term));
+    most = Math.max(most, width);
+  }
+  return { least, most };
 }
 
-/** The least that cross sections scale by. */
-function narrowest(skels: readonly Term[]): number {
-  return skels.reduce(
-    (least, { warp }) => (warp ? Math.min(least, ...warp.scale, innermost(warp)) : least),
-    1,
-  );
-}
+/** The least that a cross section scales by, no more than 1. */
+const narrowing = ({ warp }: Term): number => (warp ? Math.min(1, ...warp.scale, innermost(warp)) : 1);
 
 /** Of a drawn section, by how much less than its scale it reaches somewhere. */
 const innermost = ({ section, scale }: Warp): number =>
@@ -135,10 +137,12 @@ export function boundTerms(
 type Body = Required<Pick<SkelsNode, 'params' | 'threshold' | 'colour'>>;
 
 function bindTerm(
-  { skel, factor = 1, warp, colour }: Term,
+  { skel, params: own, factor = 1, warp, colour }: Term,
   kernel: Kernel,
-  { params, threshold, colour: plain }: Body,
+  { params: shared, threshold, colour: plain }: Body,
 ): BoundTerm[] {
+  const params = own ?? shared;
+  if (own) at('params', () => checkParams(kernel, own));
   if (!Number.isFinite(factor)) throw new FieldError(`factor must be a number, got ${factor}`);
   const painted = colour ? checkedColour(colour) : plain;
   return expanded(skel, kernel, params, threshold).map((piece) => {

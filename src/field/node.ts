@@ -15,6 +15,8 @@ export type Colour = readonly [red: number, green: number, blue: number];
 /** One term of a sum. */
 export interface Term {
   readonly skel: AnySkel;
+  /** of the kernel, in place of the body's: thick and thin limbs of one sum have each the width that suits them */
+  readonly params?: KernelParams;
   /** λ; below 0 it carves softly. 1 when left out */
   readonly factor?: number;
   /** of its cross section; plain skels pay nothing */

@@ -18,30 +18,36 @@ export function checkThreshold(threshold: number): void {
     throw new FieldError(`threshold must be above 0, got ${threshold}`);
 }
 
-/** `width`: of the kernel where it is narrowest, mm, for those that have one. FieldError when there is nothing to add. */
+/** mm, of the kernel where it is narrowest, and where it is widest. */
+export interface Widths {
+  readonly least: number;
+  readonly most: number;
+}
+
+/** `widths` for kernels that have one. FieldError when there is nothing to add. */
 export function skelSum(
   terms: readonly BoundTerm[],
   threshold: number,
-  width: number | null = null,
+  widths: Widths | null = null,
 ): LeafField {
   if (terms.length === 0) throw new FieldError('a body needs at least one skel');
-  return new SkelSum(terms, threshold, grainOf(terms, threshold, width));
+  return new SkelSum(terms, threshold, grainOf(terms, threshold, widths));
 }
 
 /** Widths and reaches of the thickest skel over which a field falls by T about a surface, at least: tubes of radius 0.6/s to 0.8/s, thick ones. */
 const FALL = { width: 1.2, reach: 2, singular: 1 };
 
 /** Kernels without a width are nowhere wide enough: beside a singular point interpolants swing through 0. */
-function grainOf(terms: readonly BoundTerm[], threshold: number, width: number | null): Grain {
+function grainOf(terms: readonly BoundTerm[], threshold: number, widths: Widths | null): Grain {
   const thick = terms.reduce((most, { field, factor }) => {
     const reach = field.offset(threshold / Math.abs(factor));
     return reach < Infinity ? Math.max(most, reach) : most;
   }, 0);
   // of weak skels that only together come to T nothing is known: nothing is missed then
-  if (width === null) return { width: 0, slope: thick > 0 ? (FALL.singular * threshold) / thick : 0 };
+  if (widths === null) return { width: 0, slope: thick > 0 ? (FALL.singular * threshold) / thick : 0 };
   return {
-    width,
-    slope: threshold * Math.min(FALL.width / width, thick > 0 ? FALL.reach / thick : Infinity),
+    width: widths.least,
+    slope: threshold * Math.min(FALL.width / widths.most, thick > 0 ? FALL.reach / thick : Infinity),
   };
 }
 

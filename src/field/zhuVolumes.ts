@@ -47,7 +47,9 @@ export const piecesOf = ({
   threshold,
 }: SkelsNode): readonly (readonly [Skel, Term, number])[] =>
   skels.flatMap((term) =>
-    expanded(term.skel, kernelNamed(kernel)!, params, threshold).map((piece, i) => [piece, term, i] as const),
+    expanded(term.skel, kernelNamed(kernel)!, term.params ?? params, threshold).map(
+      (piece, i) => [piece, term, i] as const,
+    ),
   );
 
 /** Of all of a body's skels: where none reaches, nothing is inside. Those of skels with cross sections are too small. */

@@ -19,7 +19,7 @@ type TermRecord = RecordValue<(typeof TERM)['members']>;
 export function addSum(writer: Writer, node: SkelsNode): number {
   const kernel = kernelNamed(node.kernel)!;
   const terms = node.skels.flatMap((term) =>
-    expanded(term.skel, kernel, node.params, node.threshold).map((skel) =>
+    expanded(term.skel, kernel, term.params ?? node.params, node.threshold).map((skel) =>
       addTerm(writer, node, kernel, term, skel),
     ),
   );
@@ -44,7 +44,7 @@ function addTerm(
   return {
     colour: term.colour ?? colour ?? PLAIN,
     factor: term.factor ?? 1,
-    skel: addSkel(heap, { skel: local, kernel, params }),
+    skel: addSkel(heap, { skel: local, kernel, params: term.params ?? params }),
     warp: warp && frame ? addWarp(heap, frame, warp) : 0,
     kernel: numberOf('kernels', kernel.name),
     primitive: numberOf('primitives', skel.type),

@@ -32,6 +32,12 @@ export function compose(outer: Placement, inner: Placement): Placement {
   };
 }
 
+/** The motion that takes it back. */
+export function unplaced({ rotation: [x, y, z, w], translation }: Placement): Placement {
+  const back: Quat = [0 - x, 0 - y, 0 - z, w];
+  return { rotation: back, translation: scale3(rotate3(back, translation), -1) };
+}
+
 /** The motion that turns about `pivot` and then moves by `by`, mm. */
 export function turnAbout(pivot: Vec3, rotation: Quat, by: Vec3 = [0, 0, 0]): Placement {
   return { rotation, translation: add3(sub3(pivot, rotate3(rotation, pivot)), by) };

@@ -1,13 +1,15 @@
 /**
  * Draw: a stroke becomes part of the unfinished form, or keeps it and begins the next one. Strokes land on the
- * plane through the pivot that faces the camera; one that starts on a surface lies at the depth of that point;
- * all strokes of a form share the plane of its first (thesis ch. 5; the surface under the pen is ours).
+ * plane through the pivot that faces the camera; one that starts on a surface lies at the depth of that point, and on a solid
+ * becomes a part of it; all strokes of a form share the plane of its first (thesis ch. 5; the surface under the pen is ours). Which of these
+ * a stroke does shows when it is closed or pulled away, so that it has both planes until then.
  */
 
 import { draftIsWhole } from '../document/build.ts';
 import { joinsDraft } from '../document/command/addStroke.ts';
 import { apply, type Command } from '../document/command/index.ts';
-import { type Document, readingOf } from '../document/document.ts';
+import { type Document, isSolid, type Joins, readingOf } from '../document/document.ts';
+import { partsWithDraft } from '../document/draftPart.ts';
 import { LIMITS } from '../document/limits.ts';
 import { length2 } from '../math/tuple.ts';
 import { facingPlane, onPlane, rayAt } from '../stroke/plane.ts';
@@ -25,36 +27,48 @@ const EDGE_ON = 0.2;
 export const idle: State = {
   name: 'draw.idle',
   down(pen, bench) {
-    const { plane, on } = planeAt(bench, pen);
-    if (isEdgeOn(plane, bench.viewport.view)) {
+    const ground = groundAt(bench, pen);
+    const { view } = bench.viewport;
+    if (isEdgeOn(ground.shared ?? ground.own, view)) {
       bench.notify('edge-on');
       return undefined;
     }
-    return drawing({ pens: [pen], plane, view: bench.viewport.view, on, length: 0, reach: 0 });
+    return drawing({ pens: [pen], ground, view, length: 0, reach: 0 });
   },
   cancel: () => idle,
 };
 
+/** What a stroke lies on, and with what. */
+interface Ground {
+  /** of the unfinished form, whose side or hole it may become */
+  readonly shared: Plane | null;
+  /** where it begins a form of its own */
+  readonly own: Plane;
+  readonly on: Hit | null;
+  /** the solid it starts on */
+  readonly joins: Joins | null;
+}
+
 interface Drawn {
   readonly pens: Pen[];
-  readonly plane: Plane;
+  readonly ground: Ground;
   readonly view: View;
-  readonly on: Hit | null;
   /** pixels along the path, and the furthest it has been from its start */
   readonly length: number;
   readonly reach: number;
 }
 
 function drawing(drawn: Drawn): State {
+  const { pens, ground } = drawn;
   return {
     name: drawn.length < MINIMUM ? 'draw.pointing' : 'draw.drawing',
-    wet: { pens: drawn.pens, on: drawn.on, closing: isClosing(drawn) },
+    wet: { pens, on: ground.on, closing: isClosing(drawn) },
     preview: (bench) => previewOf(drawn, bench),
-    move: (pens) => drawing(pens.reduce(extend, drawn)),
+    move: (more) => drawing(more.reduce(extend, drawn)),
     up(bench) {
-      const stroke = strokeOf(drawn, bench);
-      if (drawn.length < MINIMUM || !stroke) bench.notify('too-short');
-      else bench.commit(plan(bench.document, stroke));
+      const stroke = drawn.length < MINIMUM ? null : strokeOf(drawn, bench);
+      if (stroke) bench.commit(plan(bench.document, stroke, ground.joins));
+      else bench.notify('too-short', pointPlan(drawn, bench));
       return idle;
     },
     cancel: () => idle,
@@ -85,13 +99,32 @@ function isClosing({ pens, length, reach }: Drawn): boolean {
 }
 
 /** The second stroke of a form joins it wherever it starts. */
-const joins = (document: Document): boolean => document.draft?.strokes.length === 1 && !document.tubesOnly;
+function isSide(document: Document): boolean {
+  const { draft, tubesOnly } = document;
+  return (
+    draft?.strokes.length === 1 && !tubesOnly && readingOf(document) !== 'solid' && draft.form !== 'tube'
+  );
+}
 
-function planeAt({ document, viewport }: Bench, { x, y }: Pen): { plane: Plane; on: Hit | null } {
-  const first = document.draft?.strokes[0];
-  if (first && joins(document)) return { plane: first.plane, on: null };
+/** All strokes of a form lie on the plane of its first; others at the depth of what they start on. */
+function groundAt({ document, viewport }: Bench, { x, y }: Pen): Ground {
   const on = viewport.pick(x, y);
-  return { plane: facingPlane(viewport.view, on?.point ?? viewport.view.pivot), on };
+  const own = facingPlane(viewport.view, on?.point ?? viewport.view.pivot);
+  const joins = on && joinsAt(document, on);
+  const plane = document.draft?.strokes[0]?.plane ?? null;
+  if (isSide(document)) return { shared: plane, own, on: null, joins };
+  const mayHold = readingOf(document) === 'solid' && plane && !isEdgeOn(plane, viewport.view);
+  return { shared: mayHold ? plane : null, own, on, joins };
+}
+
+/** The component whose skel is under the pen; skels of a solid with several lie in one part of the tree each. */
+function joinsAt(document: Document, { id, skel }: Hit): Joins | null {
+  const solid = partsWithDraft(document)
+    .filter(isSolid)
+    .find((part) => part.id === id);
+  const place = /^parts\[(\d+)\]/.exec(skel?.path ?? '')?.[1] ?? 0;
+  const component = solid?.components[Number(place)] ?? solid?.components[0];
+  return solid && component ? { solid: solid.id, component: component.id } : null;
 }
 
 function isEdgeOn(plane: Plane, view: View): boolean {
@@ -106,8 +139,15 @@ function isEdgeOn(plane: Plane, view: View): boolean {
   return Math.abs(cosine) < EDGE_ON;
 }
 
-function strokeOf(drawn: Drawn, { viewport }: Bench): Stroke | null {
-  const { pens, plane, view } = drawn;
+/** On the plane of the unfinished form when it becomes a part of that, or else on its own; null: it lies nowhere. */
+function strokeOf(drawn: Drawn, bench: Bench): Stroke | null {
+  const { shared, own } = drawn.ground;
+  const joining = shared && strokeOn(shared, drawn, bench);
+  return joining && joinsDraft(bench.document, joining) ? joining : strokeOn(own, drawn, bench);
+}
+
+function strokeOn(plane: Plane, drawn: Drawn, { viewport }: Bench): Stroke | null {
+  const { pens, view } = drawn;
   const start = pens[0]?.time ?? 0;
   const samples: Sample[] = [];
   for (const pen of pens) {
@@ -120,28 +160,52 @@ function strokeOf(drawn: Drawn, { viewport }: Bench): Stroke | null {
   return { samples, plane, view, pointer: pens[0]?.pointer ?? 'mouse', closed: isClosing(drawn) };
 }
 
-/** What a finished stroke does to a document: it joins the unfinished form, or keeps that and begins the next. */
-export function plan(document: Document, stroke: Stroke): readonly Command[] {
-  const add: Command = { type: 'addStroke', stroke };
-  return !document.draft || joinsDraft(document, stroke) ? [add] : [...settled(document), add];
+/** What a finished stroke does to a document: it joins the unfinished form, or keeps that and begins the next, maybe of the solid it starts on. */
+export function plan(document: Document, stroke: Stroke, joins: Joins | null = null): readonly Command[] {
+  if (document.draft && joinsDraft(document, stroke)) return [{ type: 'addStroke', stroke }];
+  return beginning(document, stroke, joins);
+}
+
+/** What a tap would do if a point was meant. */
+function pointPlan(drawn: Drawn, bench: Bench): readonly Command[] {
+  const stroke = strokeOn(drawn.ground.own, drawn, bench);
+  return stroke ? beginning(bench.document, { ...stroke, closed: false }, drawn.ground.joins, 'point') : [];
+}
+
+function beginning(
+  document: Document,
+  stroke: Stroke,
+  joins: Joins | null,
+  form?: 'point',
+): readonly Command[] {
+  const before = document.draft ? settled(document) : [];
+  // what it starts on may be the unfinished form, and that may be nothing to keep
+  const isThere = before.reduce(apply, document).parts.some(({ id }) => id === joins?.solid);
+  const add: Command = {
+    type: 'addStroke',
+    stroke,
+    ...(form && { form }),
+    ...(joins && isThere && { joins }),
+  };
+  return [...before, add];
 }
 
 /** The unfinished form is kept, but nothing nobody could see: strokes that enclose nothing stay tubes, dots go. */
 function settled(document: Document): readonly Command[] {
   const keep: Command = { type: 'keep' };
   if (draftIsWhole(document)) return [keep];
-  const tubes: Command = { type: 'setTubesOnly', on: true };
-  const rescued = readingOf(document) === 'rotational' && draftIsWhole(apply(document, tubes));
-  return rescued ? [tubes, keep, { type: 'setTubesOnly', on: false }] : [{ type: 'drop' }];
+  const tubes: Command = { type: 'setForm', form: 'tube', joins: null };
+  return draftIsWhole(apply(document, tubes)) ? [tubes, keep] : [{ type: 'drop' }];
 }
 
-/** A tube from its first 12 px on; a rotational surface once the second stroke is half as long as the first. */
+/** A tube from its first 12 px on, a solid while it closes; a rotational surface once the second stroke is half as long as the first. */
 function previewOf(drawn: Drawn, bench: Bench): Document | null {
   const stroke = drawn.length >= MINIMUM ? strokeOf(drawn, bench) : null;
   if (!stroke) return null;
-  const commands = plan(bench.document, stroke);
+  const commands = plan(bench.document, stroke, drawn.ground.joins);
   const first = bench.document.draft?.strokes[0];
-  const young = commands.length === 1 && first && pathLength(stroke) < pathLength(first) / 2;
+  const isSecond = commands.length === 1 && first && !stroke.closed;
+  const young = isSecond && pathLength(stroke) < pathLength(first) / 2;
   return young ? null : commands.reduce(apply, bench.document);
 }
 

@@ -1,5 +1,6 @@
 /**
- * Move: parts follow the pen in the view plane, along an axis, or over the surface that lies under them.
+ * Move: parts and groups of solids follow the pen in the view plane, along an axis, or over the surface that lies under them; they turn
+ * about the line of sight, and grow.
  *
  * Over a surface: the foot is the point of the other parts nearest to the middle of the moved ones when it can be
  * seen, else what is seen behind that middle. The foot goes where the pen takes it, and the parts turn by the
@@ -10,15 +11,16 @@ import { apply, type Command } from '../document/command/index.ts';
 import type { Document } from '../document/document.ts';
 import { middleOfParts, seenParts } from '../document/extent.ts';
 import { type Placement, shortestTurn, turnAbout, UNMOVED } from '../math/placement.ts';
-import { add3, dot3, scale3, sub3 } from '../math/tuple.ts';
+import { atan2, cos, PI, sin } from '../math/trig.ts';
+import { add3, cross2, dot2, dot3, length2, rotate3, scale3, sub3 } from '../math/tuple.ts';
 import type { Vec2, Vec3 } from '../math/vec.ts';
 import { facingPlane, onPlane, project, rayAt, toWorld } from '../stroke/plane.ts';
 import { type Foot, footOf } from './foot.ts';
-import type { Bench, Pen, State } from './tool.ts';
+import type { Bench, Carried, Pen, State } from './tool.ts';
 import type { Viewport } from './viewport.ts';
 
 /** What the parts are taken by. */
-export type Handle = 'view' | 'x' | 'y' | 'z' | 'surface';
+export type Handle = 'view' | 'x' | 'y' | 'z' | 'surface' | 'turn' | 'scale';
 
 export const AXIS: Readonly<Record<'x' | 'y' | 'z', Vec3>> = { x: [1, 0, 0], y: [0, 1, 0], z: [0, 0, 1] };
 
@@ -26,8 +28,7 @@ export const AXIS: Readonly<Record<'x' | 'y' | 'z', Vec3>> = { x: [1, 0, 0], y: 
 const END_ON = 0.02;
 
 /** Where the parts are taken; each report of the pen gives the next one. */
-interface Way {
-  readonly by: Placement;
+interface Way extends Pick<Carried, 'by' | 'degrees' | 'factor'> {
   to(pen: Pen, viewport: Viewport): Way;
 }
 
@@ -63,23 +64,25 @@ export function carry(
   bench: Bench,
   back: State,
 ): State {
-  return carrying(ids, wayOf(handle, ids, point, pen, bench), back);
+  return carrying(ids, point, wayOf(handle, ids, point, pen, bench), back);
 }
 
-function carrying(ids: readonly string[], way: Way, back: State): State {
-  const command: Command = { type: 'moveParts', ids, by: way.by };
+function carrying(ids: readonly string[], about: Vec3, way: Way, back: State): State {
+  const { by, degrees, factor = 1 } = way;
+  const command: Command =
+    factor === 1 ? { type: 'moveParts', ids, by } : { type: 'scaleParts', ids, factor, about };
   let shown: Document | null = null;
   return {
     name: 'move.carrying',
     still: true,
-    carried: { ids, by: way.by },
+    carried: { ids, by, ...(degrees !== undefined && { degrees }), ...(way.factor && { factor }) },
     preview: (bench) => (shown ??= apply(bench.document, command)),
     move(pens, bench) {
       const pen = pens.at(-1);
-      return pen && carrying(ids, way.to(pen, bench.viewport), back);
+      return pen && carrying(ids, about, way.to(pen, bench.viewport), back);
     },
     up(bench) {
-      if (way.by !== UNMOVED) bench.commit([command]);
+      if (by !== UNMOVED || factor !== 1) bench.commit([command]);
       return back;
     },
     cancel: () => back,
@@ -89,6 +92,8 @@ function carrying(ids: readonly string[], way: Way, back: State): State {
 function wayOf(handle: Handle, ids: readonly string[], point: Vec3, pen: Pen, bench: Bench): Way {
   const foot = handle === 'surface' ? footOf(bench, ids, point) : null;
   if (foot) return overSurface(foot, pen, bench.viewport, ids);
+  if (handle === 'turn') return turning(point, pen, bench.viewport);
+  if (handle === 'scale') return growing(point, pen, bench.viewport);
   return handle === 'x' || handle === 'y' || handle === 'z'
     ? alongAxis(AXIS[handle], point, pen, bench.viewport)
     : inView(point, pen, bench.viewport);
@@ -155,12 +160,58 @@ function overSurface(foot: Foot, start: Pen, viewport: Viewport, ids: readonly s
   return at(foot, UNMOVED);
 }
 
+/** Degrees that a turn snaps to with Shift, and steps of a factor. */
+const SNAP = { turn: 15, scale: 0.1 } as const;
+const FACTORS = { min: 0.05, max: 20 } as const;
+
+/** Right and up of where a point is seen, px; null where it is not. */
+function beside({ view, size }: Viewport, point: Vec3, { x, y }: Pick<Pen, 'x' | 'y'>): Vec2 | null {
+  const at = project(view, size, point);
+  return at && [x - at[0], at[1] - y];
+}
+
+/** About the line of sight through the point, as far as the pen goes around it. */
+function turning(point: Vec3, start: Pen, viewport: Viewport): Way {
+  const from = beside(viewport, point, start);
+  const at = (by: Placement, degrees: number): Way => ({
+    by,
+    degrees,
+    to(pen, now) {
+      const to = beside(now, point, pen);
+      if (!from || !to) return at(by, degrees);
+      const turned = (atan2(cross2(from, to), dot2(from, to)) * 180) / PI;
+      const whole = pen.adds ? SNAP.turn * Math.round(turned / SNAP.turn) : turned;
+      const half = (whole * PI) / 360;
+      const [x, y, z] = scale3(rotate3(now.view.rotation, [0, 0, 1]), sin(half));
+      return at(whole === 0 ? UNMOVED : turnAbout(point, [x, y, z, cos(half)]), whole);
+    },
+  });
+  return at(UNMOVED, 0);
+}
+
+/** As much as the pen comes away from the point. */
+function growing(point: Vec3, start: Pen, viewport: Viewport): Way {
+  const from = beside(viewport, point, start);
+  const at = (factor: number): Way => ({
+    by: UNMOVED,
+    factor,
+    to(pen, now) {
+      const to = beside(now, point, pen);
+      if (!from || !to || length2(from) === 0) return at(factor);
+      const grown = length2(to) / length2(from);
+      const whole = pen.adds ? Math.round(grown / SNAP.scale) * SNAP.scale : grown;
+      return at(Math.min(FACTORS.max, Math.max(FACTORS.min, whole)));
+    },
+  });
+  return at(1);
+}
+
 /** The foot comes to a point, and the surface's normal there to another. */
 function footTo(foot: Foot, point: Vec3, normal: Vec3): Placement {
   return turnAbout(foot.point, shortestTurn(foot.normal, normal), sub3(point, foot.point));
 }
 
-/** The pen where it shows a point that is so many mm to the right and up of another, for keys. */
+/** The pen where it shows a point that is so many mm to the right and up of another, for keys; of turns degrees, of factors percent. */
 export function penBeside(
   viewport: Viewport,
   handle: Handle,
@@ -169,10 +220,27 @@ export function penBeside(
   up: number,
 ): Vec2 | null {
   const { view, size } = viewport;
+  if (handle === 'turn' || handle === 'scale') return penAround(viewport, handle, point, right, up);
   const plane = facingPlane(view, point);
   const to =
     handle === 'x' || handle === 'y' || handle === 'z'
       ? add3(point, scale3(AXIS[handle], right + up))
       : toWorld(plane, [right, up]);
   return project(view, size, to);
+}
+
+/** px: any distance does */
+const AWAY = 100;
+
+function penAround(
+  { view, size }: Viewport,
+  handle: 'turn' | 'scale',
+  point: Vec3,
+  right: number,
+  up: number,
+): Vec2 | null {
+  const at = project(view, size, point);
+  const angle = handle === 'turn' ? ((up - right) * PI) / 180 : 0;
+  const away = AWAY * (handle === 'scale' ? Math.max(1 + (right + up) / 100, FACTORS.min) : 1);
+  return at && [at[0] + away * cos(angle), at[1] - away * sin(angle)];
 }

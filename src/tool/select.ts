@@ -1,8 +1,10 @@
 /**
- * Select: a tap takes the part under the pen, a tap on the paper lets go, a drag over the paper takes what its
+ * Select: a tap takes the part under the pen, a further one the group of a solid there, a tap on the paper lets go, a drag over the paper takes what its
  * rectangle takes in, and a drag from a part moves it at once. Shift or Ctrl adds and takes away. The unfinished form
  * is no part yet: it cannot be selected, and a tap on it changes nothing.
  */
+import { groupAt, groupsIn, partsWith } from '../document/chosen.ts';
+import { isSolid } from '../document/document.ts';
 import { seenParts } from '../document/extent.ts';
 import { partsIn } from './band.ts';
 import { carry } from './move.ts';
@@ -60,7 +62,8 @@ function pressed(press: Press): State {
 function dragged({ start, hit }: Press, pens: readonly Pen[], bench: Bench): State | undefined {
   const id = partOf(hit, bench);
   if (!hit || id === null) return banding(start, pens.at(-1) ?? start);
-  if (!bench.selection.includes(id)) choose(start.adds ? [...bench.selection, id] : [id], bench);
+  const isHeld = partsWith(bench.document, bench.selection).some((part) => part.id === id);
+  if (!isHeld) choose(start.adds ? [...bench.selection, id] : [id], bench);
   const ids = seenParts(bench.document, bench.selection).map((part) => part.id);
   return carry('view', ids, hit.point, start, bench, selecting).move?.(pens, bench);
 }
@@ -95,8 +98,17 @@ function tap({ start, hit, before }: Press, bench: Bench): State {
     bench.focus([id]);
     return selecting;
   }
-  choose([id], bench);
+  choose([within(id, hit, bench) ?? id], bench);
   return waiting({ id, time: start.time });
+}
+
+/** The group under the pen of a solid that is selected, or that a group is selected of; null: there is none, or no other one. */
+function within(id: string, hit: Hit | null, { document, selection }: Bench): string | null {
+  const part = document.parts.find((other) => other.id === id);
+  if (!part || !isSolid(part) || !hit?.skel || groupsIn(part).length < 2) return null;
+  const [only, ...others] = selection;
+  const isIn = only === id || groupsIn(part).some(({ group }) => group.id === only);
+  return isIn && others.length === 0 ? (groupAt(part, hit.skel.path)?.id ?? null) : null;
 }
 
 function choose(ids: readonly string[], bench: Bench): void {

@@ -5,6 +5,7 @@
 import type { Command } from '../document/command/index.ts';
 import type { Document } from '../document/document.ts';
 import type { Placement } from '../math/placement.ts';
+import type { MedialGraph } from '../skeleton/medial/axis.ts';
 import type { Stroke } from '../stroke/stroke.ts';
 import type { Hit, Viewport } from './viewport.ts';
 
@@ -30,13 +31,14 @@ export type Notice = 'too-short' | 'edge-on' | 'selected';
 export interface Bench {
   readonly document: Document;
   readonly viewport: Viewport;
-  /** ids of the parts that are selected, in the document's order */
+  /** ids of the parts and groups that are selected, in the document's order */
   readonly selection: readonly string[];
   select(ids: readonly string[]): void;
   commit(commands: readonly Command[]): void;
   /** The camera comes to where these parts fill the picture. */
   focus(ids: readonly string[]): void;
-  notify(notice: Notice): void;
+  /** `offer`: what would be done instead, if that is what was meant */
+  notify(notice: Notice, offer?: readonly Command[]): void;
 }
 
 /** The gesture so far, for the wet ink. */
@@ -59,6 +61,9 @@ export interface Carried {
   readonly ids: readonly string[];
   /** where they have come from where they are */
   readonly by: Placement;
+  /** of a turn, degrees counter-clockwise; of a scaling, what all is multiplied by */
+  readonly degrees?: number;
+  readonly factor?: number;
 }
 
 export interface State {
@@ -67,6 +72,8 @@ export interface State {
   readonly wet?: Wet;
   readonly band?: Band;
   readonly carried?: Carried;
+  /** as it is under the pen, before it is anybody's */
+  readonly skeleton?: MedialGraph;
   /** A gesture is under way that a moving camera would tear. */
   readonly still?: true;
   /** The document as it would be if the pen were lifted now; null: as it is. */

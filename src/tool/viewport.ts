@@ -1,3 +1,4 @@
+import type { SkelAt } from '../field/skelAt.ts';
 import type { Vec3 } from '../math/vec.ts';
 import type { View } from '../stroke/stroke.ts';
 
@@ -8,6 +9,8 @@ export interface Hit {
   readonly normal: Vec3;
   /** of the part or of the unfinished form */
   readonly id: string;
+  /** of bodies and solids: whose surface it is, where that is known */
+  readonly skel?: SkelAt | null;
 }
 
 /** How a tool sees the picture. Positions are CSS pixels from the upper left of the canvas, y down. */

@@ -3,10 +3,12 @@ import { createHash } from 'node:crypto';
 import type { Resolution, Solid } from '../../src/document/build.ts';
 import { buildForm, solids } from '../../src/document/build.ts';
 import type { Command } from '../../src/document/command/index.ts';
-import { type Document, readingOf } from '../../src/document/document.ts';
+import { DEFAULT_BRUSH, type Document, type Part, readingOf } from '../../src/document/document.ts';
 import type { Drawing } from '../../src/document/drawing.ts';
 import { commit, type History, newHistory } from '../../src/document/history.ts';
 import { DEFAULT_LOOK } from '../../src/document/look.ts';
+import { DEFAULT_COMPONENT, DEFAULT_SHAPE } from '../../src/document/solid.ts';
+import { UNMOVED } from '../../src/math/placement.ts';
 import type { Mesh } from '../../src/mesh/mesh.ts';
 import type { Plane } from '../../src/stroke/stroke.ts';
 import { EVERY_NODE } from './everyNode.ts';
@@ -29,8 +31,92 @@ export const NAMES = [
 ];
 
 const wave = (x: number, count = 14) => strokeAlong((t) => [x + 4 * Math.sin(7 * t), 30 - 60 * t], {}, count);
-const add = (stroke = wave(0)): Command => ({ type: 'addStroke', stroke });
+const add = (stroke = wave(0)) => ({ type: 'addStroke', stroke }) as const;
 const KEEP: Command = { type: 'keep' };
+
+const SKELETON = {
+  nodes: [
+    { at: [0.1, -3], radius: 4 },
+    { at: [9, 1 / 3], radius: 2.5 },
+    { at: [-20, 0], radius: 1 },
+  ],
+  links: [[0, 1]],
+} as const;
+
+/** A tap of the pen. */
+const tap = (x: number, y: number) => strokeAlong((t) => [x + 0.2 * t, y], {}, 3);
+
+const PASTED = {
+  id: 'part-3',
+  name: 'Pasted',
+  kind: 'solid',
+  components: [
+    {
+      id: 'component-1',
+      name: 'C',
+      ...DEFAULT_COMPONENT,
+      groups: [
+        {
+          id: 'group-1',
+          name: 'G',
+          hidden: false,
+          form: 'point',
+          strokes: [tap(3, 3)],
+          brush: DEFAULT_BRUSH,
+          shape: { ...DEFAULT_SHAPE, section: 'superQuadric', exponent: 3.3, breadth: 1.1 },
+          skeleton: SKELETON,
+        },
+      ],
+    },
+  ],
+  placement: UNMOVED,
+  hidden: false,
+} as const satisfies Part;
+
+const loop = (radius: number) =>
+  strokeAlong((t) => [40 + radius * Math.cos(6.3 * t), radius * Math.sin(6.3 * t)], { closed: true }, 14);
+
+/** An outline with a hole, a line that carves it, a point beside it, and what can be done to them. The next number is 8. */
+const SOLIDS: readonly Command[] = [
+  { type: 'setBrush', change: { pressure: false } },
+  add(loop(20)),
+  add(loop(6)),
+  { type: 'setForm', form: 'plate' },
+  { type: 'setForm', form: 'soft' },
+  KEEP,
+  {
+    ...add(strokeAlong((t) => [40, 20 - 40 * t], {}, 6)),
+    form: 'line',
+    joins: { solid: 'part-8', component: 'component-9' },
+    carves: true,
+  },
+  KEEP,
+  { ...add(tap(40, 24)), form: 'point', joins: { solid: 'part-8', component: null } },
+  KEEP,
+  {
+    type: 'setGroups',
+    ids: ['group-13'],
+    change: { weight: -0.3, breadth: 1.2, depth: 0.8, profile: [1, 0.5, 1 / 3], density: 3 },
+  },
+  {
+    type: 'setGroups',
+    ids: ['component-15'],
+    change: { section: 'extrusion', exponent: 4, knots: [0, 0, 1, 1] },
+  },
+  { type: 'setComponents', ids: ['group-16'], change: { kernel: 'quartic', threshold: 0.1 + 0.2 } },
+  { type: 'moveGroups', ids: ['group-16'], to: null },
+  { type: 'duplicateParts', ids: ['group-13'], offset: [0, 3, 1] },
+  { type: 'moveGroups', ids: ['group-19'], to: { solid: 'part-8', component: null } },
+  { type: 'editSkeleton', id: 'group-13', skeleton: SKELETON },
+  { type: 'scaleParts', ids: ['group-13', 'part-18'], factor: 1.1, about: [1, 2, 3] },
+  { type: 'mirrorParts', ids: ['part-8', 'group-16', 'part-1'], about: [5, 0, 0], normal: [0.6, 0.8, 0] },
+  { type: 'paste', parts: [PASTED], offset: [0, 0, 30] },
+  { type: 'setPartBrush', ids: ['group-10'], change: { colour: '#3f9690', radius: 4 } },
+  { type: 'showParts', ids: ['component-9'], visible: true },
+  { type: 'moveParts', ids: ['group-13'], by: { rotation: [0, 0.6, 0, 0.8], translation: [0.1, -2, 7] } },
+  { type: 'renamePart', id: 'group-13', name: 'Groove' },
+  { type: 'renamePart', id: 'component-9', name: 'Sum' },
+];
 
 /** One of each, in an order in which each has something to do. */
 export const COMMANDS: readonly Command[] = [
@@ -38,7 +124,7 @@ export const COMMANDS: readonly Command[] = [
   add(wave(25)),
   KEEP,
   { type: 'setBrush', change: { colour: '#7D5238', radius: 3.3, pressure: true } },
-  add(circle(20, 5)),
+  { ...add(circle(20, 5)), form: 'tube' },
   KEEP,
   { type: 'setTubesOnly', on: true },
   add({ ...wave(1), plane: SIDEWAYS, view: { ...VIEW, rotation: [0, HALF, 0, HALF], fov: 30 } }),
@@ -63,6 +149,7 @@ export const COMMANDS: readonly Command[] = [
   { type: 'addBody', node: EVERY_NODE, name: 'Everything' },
   { type: 'addBody', node: EVERY_NODE, colour: '#7D5238' },
   { type: 'setBody', id: 'part-4', node: { type: 'union', form: 'hard', parts: [EVERY_NODE, EVERY_NODE] } },
+  ...SOLIDS,
   add({ ...wave(3), pointer: 'mouse' }),
   add(wave(-30)),
 ];
@@ -81,7 +168,7 @@ export function meshesOf(document: Document, resolution = COARSE): readonly Mesh
   const kept = solids(document, resolution).map((solid: Solid) => solid.mesh);
   const kind = readingOf(document);
   const strokes = document.draft?.strokes ?? [];
-  if (kind === null) return kept;
+  if (kind === null || kind === 'solid') return kept;
   const forms = kind === 'tube' ? strokes.map((stroke) => [stroke]) : [strokes];
   const draft = forms.map((form) => buildForm(kind, form, document.brush, resolution));
   return [...kept, ...draft.filter((mesh) => mesh !== null)];

@@ -3,6 +3,7 @@ import { readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
 import { makeBody } from '../../src/document/bodies.ts';
 import { COMMAND_TYPES } from '../../src/document/command/index.ts';
+import { bodiesOf } from '../../src/document/fieldParts.ts';
 import { LIMITS } from '../../src/document/limits.ts';
 import { parse, serialize } from '../../src/document/serialize.ts';
 import { topology } from '../../src/mesh/check.ts';
@@ -47,15 +48,15 @@ describe('docs/format.md', () => {
   it.each(examples.map((text, i) => [i + 1, text] as const))('example %i is sound', (_, text) => {
     const drawing = parse(text, 'example.rotund');
     expect(parse(serialize(drawing), 'example.rotund')).toEqual(drawing);
-    for (const part of drawing.document.parts) if (part.kind === 'body') makeBody(part.node, 24);
+    for (const { node } of bodiesOf(drawing.document)) makeBody(node, 24);
     const meshes = meshesOf(drawing.document);
     expect(meshes.length).toBeGreaterThan(0);
     for (const mesh of meshes) expect(topology(mesh)).toMatchObject({ finite: true, watertight: true });
   });
 
   it('has documents, a bare list and a script with every command', () => {
-    expect(examples).toHaveLength(4);
-    const script = JSON.parse(examples[3]!) as { commands: { type: string }[] };
+    expect(examples).toHaveLength(5);
+    const script = JSON.parse(examples[4]!) as { commands: { type: string }[] };
     expect([...new Set(script.commands.map(({ type }) => type))].sort()).toEqual([...COMMAND_TYPES].sort());
   });
 
@@ -73,7 +74,13 @@ describe('docs/format.md', () => {
     ['file', schema.$defs.documentFile],
     ['document', schema.$defs.document],
     ['surface', schema.$defs.surfacePart],
+    ['draft', schema.$defs.draft],
     ['body', schema.$defs.bodyPart],
+    ['solid', schema.$defs.solidPart],
+    ['component', schema.$defs.component],
+    ['group', schema.$defs.group],
+    ['shape of a group', schema.$defs.shape],
+    ['skeleton', schema.$defs.skeleton],
     ['term', schema.$defs.term],
     ['warp', schema.$defs.term.properties.warp],
     ['brush', schema.$defs.brush],

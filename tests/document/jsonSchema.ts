@@ -19,7 +19,14 @@ const {
   part,
   placement,
   plane,
+  shape,
+  skeleton,
+  solidPart,
   stroke,
+  sumOfGroups,
+  group,
+  groupChange,
+  joins,
   view,
 } = schemas;
 
@@ -33,6 +40,13 @@ const definitions: Readonly<Record<string, GenericSchema>> = {
   part,
   surfacePart,
   bodyPart,
+  solidPart,
+  component: sumOfGroups,
+  group,
+  shape,
+  groupChange,
+  skeleton,
+  joins,
   node: tree,
   term,
   skel,
@@ -58,7 +72,7 @@ export function jsonSchema(): object {
   });
   return {
     $schema,
-    title: 'Rotund document or script, version 1, 2 or 3',
+    title: 'Rotund document or script, version 1, 2, 3 or 4',
     description: 'Lengths in millimetres, right-handed, y up. See format.md for what a schema cannot say.',
     ...whole,
     $defs,

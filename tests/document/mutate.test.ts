@@ -30,7 +30,7 @@ function expectSentence({ message, file, place }: FileError, kind: string): void
   expect(file, kind).toBe(FILE);
   expect(message.startsWith(FILE), message).toBe(true);
   expect(message, kind).toMatch(
-    /expected .+, found .+|makes no field: .+|^Pear.rotund is version .+ reads up to 3\.$|brackets inside each other|the file is empty/,
+    /expected .+, found .+|makes no field: .+|^Pear.rotund is version .+ reads up to 4\.$|brackets inside each other|the file is empty/,
   );
   expect(message, kind).not.toMatch(/[\p{Cc}\p{Cf}\p{Cs}]|machine has room/u);
   expect(message.length, message).toBeLessThan(400);

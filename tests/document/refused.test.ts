@@ -50,14 +50,17 @@ describe('what is wrong is said in one sentence', () => {
       '{"format":"tldraw"}',
       'Pear.rotund, format: not a Rotund file: expected "rotund" or "rotund-script", found "tldraw"',
     ],
-    ['{"format":"rotund","version":9}', 'Pear.rotund is version 9; this program reads up to 3.'],
+    ['{"format":"rotund","version":9}', 'Pear.rotund is version 9; this program reads up to 4.'],
     [
-      '{"format":"rotund-script","version":4,"new":[]}',
-      'Pear.rotund is version 4; this program reads up to 3.',
+      '{"format":"rotund-script","version":5,"new":[]}',
+      'Pear.rotund is version 5; this program reads up to 4.',
     ],
-    ['{"format":"rotund","version":"1"}', 'Pear.rotund, version: expected version 1, 2 or 3, found "1"'],
-    ['{"format":"rotund","version":0}', 'Pear.rotund, version: expected version 1, 2 or 3, found 0'],
-    ['{"format":"rotund","document":{}}', 'Pear.rotund, version: expected version 1, 2 or 3, found nothing'],
+    ['{"format":"rotund","version":"1"}', 'Pear.rotund, version: expected version 1, 2, 3 or 4, found "1"'],
+    ['{"format":"rotund","version":0}', 'Pear.rotund, version: expected version 1, 2, 3 or 4, found 0'],
+    [
+      '{"format":"rotund","document":{}}',
+      'Pear.rotund, version: expected version 1, 2, 3 or 4, found nothing',
+    ],
     ['{"format":"rotund","version":1}', 'Pear.rotund, document: expected an object, found nothing'],
     [
       '{"format":"rotund","version":1,"document":{"parts":[',
@@ -118,7 +121,7 @@ describe('what is wrong is said in one sentence', () => {
     ],
     [
       part('"kind":"<b>\\u202e\\u2028"'),
-      'Pear.rotund, document.parts[0].kind: expected one of "tube", "rotational", "body", found "<b>\\u{202e}\\u{2028}"',
+      'Pear.rotund, document.parts[0].kind: expected one of "tube", "rotational", "body", "solid", found "<b>\\u{202e}\\u{2028}"',
     ],
     [
       part('"kind":"rotational"'),
@@ -245,10 +248,10 @@ describe('what is wrong is said in one sentence', () => {
     const twins = { ...drawing.document, parts: [parts[0]!, parts[1]!, parts[0]!] };
     const refused = (document: Document) => refusal(serialize({ ...drawing, document }));
     expect(refused(twins).message).toBe(
-      'Pear.rotund, document.parts[2].id: expected an id that no other part has, found "part-1"',
+      'Pear.rotund, document.parts[2].id: expected an id that nothing else has, found "part-1"',
     );
     expect(refused({ ...drawing.document, nextId: 4 }).message).toBe(
-      'Pear.rotund, document.nextId: expected a whole number above 7, which is in use, found 4',
+      'Pear.rotund, document.nextId: expected a whole number above 24, which is in use, found 4',
     );
   });
 
@@ -272,14 +275,14 @@ describe('too much is refused at once', { timeout: 30_000 }, () => {
   it('more strokes than a document may have, however they come', () => {
     const strokes = `${draw},`.repeat(LIMITS.strokes);
     expect(refusal(`[${strokes}${draw}]`).message).toBe(
-      `Pear.rotund, commands[${LIMITS.strokes}].type: expected a document of at most 10000 strokes and bodies and 400000 samples and values of bodies in all after this, found "addStroke"`,
+      `Pear.rotund, commands[${LIMITS.strokes}].type: expected a document of at most 10000 strokes and bodies and 400000 samples and values of bodies and solids in all after this, found "addStroke"`,
     );
     const kept = '{"kind":"tube","strokes":[{"samples":[[0,0]]}]}';
     const parts = Array.from({ length: LIMITS.strokes }, () => kept).join();
     const draft = '{"strokes":[{"samples":[[0,0]]}]}';
     const text = `{"format":"rotund","version":1,"document":{"parts":[${parts}],"draft":${draft}}}`;
     expect(refusal(text).message).toBe(
-      'Pear.rotund, document.parts: expected at most 10000 strokes and bodies and 400000 samples and values of bodies in all, found a list of 10000',
+      'Pear.rotund, document.parts: expected at most 10000 strokes and bodies and 400000 samples and values of bodies and solids in all, found a list of 10000',
     );
   });
 
@@ -289,7 +292,7 @@ describe('too much is refused at once', { timeout: 30_000 }, () => {
     const load = `{"type":"load","document":{"parts":[${parts}]}}`;
     expect(parse(`[${load}]`, 'x').document.parts).toHaveLength(4);
     expect(refusal(`[${load},{"type":"duplicateParts","ids":["part-1"],"offset":[0,0,1]}]`).message).toBe(
-      'Pear.rotund, commands[1].type: expected a document of at most 10000 strokes and bodies and 400000 samples and values of bodies in all after this, found "duplicateParts"',
+      'Pear.rotund, commands[1].type: expected a document of at most 10000 strokes and bodies and 400000 samples and values of bodies and solids in all after this, found "duplicateParts"',
     );
   });
 

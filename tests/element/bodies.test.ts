@@ -86,6 +86,27 @@ describe('Bodies', () => {
     expect(bodyMade(a)!.cells).toBe(CELLS);
   });
 
+  it('finishes a draft of what moves, which stands in for what it has become, and makes nothing finer until it rests', () => {
+    const nodes = [5, 6, 7, 8].map(ball);
+    const rough = { isRough: true };
+    const at = (i: number) => [{ id: 'part-1', node: nodes[i]! }];
+    bodies.want(at(0), undefined, rough);
+    bodies.want(at(1), undefined, rough);
+    bodies.want(at(2), undefined, rough);
+    expect(worker().asked).toHaveLength(1);
+    worker().answer();
+    expect(bodyMade(nodes[2]!)).toMatchObject({ cells: 0, mesh: bodyMade(nodes[0]!)!.mesh });
+    expect(worker().asked.map(({ node }) => node)).toEqual([nodes[0], nodes[2]]);
+    bodies.want(at(3), undefined, rough);
+    worker().answer();
+    worker().answer();
+    const cells = worker().asked.map(({ resolution }) => resolution);
+    expect(cells).toEqual([cells[0], cells[0], cells[0]]);
+    expect(bodies.making).toBeNull();
+    bodies.want(at(3));
+    expect(worker().last).toMatchObject({ node: nodes[3], resolution: CELLS });
+  });
+
   it('makes what is thin once more, in finer cells, and anew when others are wanted', async () => {
     const node: FieldNode = { type: 'shape', shape: { type: 'box', half: [40, 0.4, 40] } };
     bodies.want(seen(node));

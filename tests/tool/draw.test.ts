@@ -1,6 +1,6 @@
 import { beforeEach, describe, expect, it } from 'vitest';
-import { solids } from '../../src/document/build.ts';
-import { readingOf } from '../../src/document/document.ts';
+import { draftIsWhole, solids } from '../../src/document/build.ts';
+import { type Document, readingOf } from '../../src/document/document.ts';
 import { Driver } from './driver.ts';
 
 let hand: Driver;
@@ -16,10 +16,18 @@ const RIGHT = [
   [450, 200],
   [450, 400],
 ] as const;
-const RING = Array.from({ length: 41 }, (_, i) => {
-  const angle = (i / 40) * 2 * Math.PI;
-  return [400 + 80 * Math.cos(angle), 300 + 80 * Math.sin(angle)] as const;
-});
+const ringAt = (x: number, y: number, radius: number) =>
+  Array.from({ length: 41 }, (_, i) => {
+    const angle = (i / 40) * 2 * Math.PI;
+    return [x + radius * Math.cos(angle), y + radius * Math.sin(angle)] as const;
+  });
+const RING = ringAt(400, 300, 80);
+
+/** Groups in each component of the only part. */
+const componentsOf = ({ parts }: Document) =>
+  parts.length === 1 && parts[0]!.kind === 'solid'
+    ? parts[0]!.components.map(({ groups }) => groups.length)
+    : [];
 
 describe('draw', () => {
   it('goes from idle to pointing to drawing and back', () => {
@@ -107,7 +115,7 @@ describe('draw', () => {
   it('does not pair an open with a closed stroke: the first is kept', () => {
     hand.draw(RING);
     hand.draw(LEFT);
-    expect(hand.document.parts.map(({ kind }) => kind)).toEqual(['tube']);
+    expect(hand.document.parts.map(({ kind }) => kind)).toEqual(['solid']);
     expect(hand.document.draft!.strokes[0]!.closed).toBe(false);
   });
 
@@ -122,13 +130,98 @@ describe('draw', () => {
     expect(hand.document.tubesOnly).toBe(false);
   });
 
-  it('takes a dot for no stroke and says why', () => {
+  it('takes a dot for no stroke, says why, and offers a point', () => {
     hand.draw([
       [400, 300],
       [403, 301],
     ]);
     expect(hand.document.draft).toBeNull();
     expect(hand.notices).toEqual(['too-short']);
+    hand.commit(hand.offer);
+    expect(readingOf(hand.document)).toBe('solid');
+    expect(hand.document.draft!.form).toBe('point');
+    expect(draftIsWhole(hand.document)).toBe(true);
+  });
+
+  it('makes a point of a tap that did not move at all, beside the form before', () => {
+    hand.draw(LEFT);
+    hand.down(500, 300);
+    hand.move(500, 300);
+    hand.up();
+    hand.commit(hand.offer);
+    expect(hand.document.parts.map(({ kind }) => kind)).toEqual(['tube']);
+    expect(draftIsWhole(hand.document)).toBe(true);
+  });
+
+  describe('silhouettes', () => {
+    it('are solids while they are closed, and tubes again when pulled away', () => {
+      hand.trace(RING.slice(0, 40));
+      expect(readingOf(hand.state.preview!(hand)!)).toBe('solid');
+      hand.move(520, 300);
+      expect(readingOf(hand.state.preview!(hand)!)).toBe('tube');
+      hand.cancel();
+      expect(hand.document.draft).toBeNull();
+    });
+
+    it('stay tubes while every stroke is one', () => {
+      hand.commit([{ type: 'setTubesOnly', on: true }]);
+      hand.draw(RING);
+      expect(readingOf(hand.document)).toBe('tube');
+    });
+
+    it('have holes: what is closed inside, on the plane of the first, whatever it starts on', () => {
+      hand.draw(RING);
+      hand.hit = { point: [0, 0, 20], normal: [0, 0, 1], id: 'part-1' };
+      hand.draw(ringAt(400, 300, 30));
+      const { strokes } = hand.document.draft!;
+      expect(hand.document.parts).toHaveLength(0);
+      expect(strokes.map(({ closed }) => closed)).toEqual([true, true]);
+      expect(strokes[1]!.plane).toEqual(strokes[0]!.plane);
+      hand.undo();
+      expect(hand.document.draft!.strokes).toHaveLength(1);
+    });
+
+    it.each([
+      ['an open stroke inside', LEFT.map(([x, y]) => [x + 50, y] as const)],
+      ['a closed one across', ringAt(460, 300, 60)],
+    ])('are kept by %s, which begins the next form where it starts', (_, points) => {
+      hand.draw(RING);
+      const { nextId } = hand.document;
+      hand.hit = { point: [0, 0, 20], normal: [0, 0, 1], id: `part-${nextId}` };
+      hand.draw(points);
+      const { parts, draft } = hand.document;
+      expect(parts.map(({ id }) => id)).toEqual([`part-${nextId}`]);
+      expect(draft!.strokes).toHaveLength(1);
+      expect(draft!.strokes[0]!.plane.origin[2]).toBeCloseTo(20, 9);
+      expect(draft!.joins).toEqual({ solid: `part-${nextId}`, component: `component-${nextId + 1}` });
+    });
+
+    it('join the component that they start on', () => {
+      hand.draw(RING);
+      hand.commit([{ type: 'keep' }]);
+      const [body] = hand.document.parts;
+      hand.hit = { point: [0, 0, 20], normal: [0, 0, 1], id: body!.id, skel: { path: 'skels[0]', share: 1 } };
+      hand.draw(ringAt(450, 300, 60));
+      hand.commit([{ type: 'setForm', joins: { solid: body!.id, component: null } }, { type: 'keep' }]);
+      expect(componentsOf(hand.document)).toEqual([1, 1]);
+      hand.hit = { ...hand.hit, skel: { path: 'parts[1].skels[2]', share: 1 } };
+      hand.draw(ringAt(500, 300, 40));
+      hand.commit([{ type: 'keep' }]);
+      expect(componentsOf(hand.document)).toEqual([1, 2]);
+    });
+
+    it('that nothing can be made of go on as tubes: nothing drawn is lost', () => {
+      // there and back on one line: it encloses nothing
+      hand.draw([
+        [300, 300],
+        [500, 300],
+        [300, 300],
+      ]);
+      expect(hand.document.draft!.strokes[0]!.closed).toBe(true);
+      expect(draftIsWhole(hand.document)).toBe(false);
+      hand.draw(LEFT);
+      expect(hand.document.parts.map(({ kind }) => kind)).toEqual(['tube']);
+    });
   });
 
   it.each(['pointing', 'drawing'])('cancels while %s without a trace', (moment) => {

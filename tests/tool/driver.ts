@@ -13,6 +13,8 @@ export class Driver implements Bench {
   view: View = { pivot: [0, 0, 0], rotation: [0, 0, 0, 1], height: 200, fov: 0 };
   readonly size = { width: 800, height: 600 };
   readonly notices: Notice[] = [];
+  /** what was offered with the last one */
+  offer: readonly Command[] = [];
   hit: Hit | null = null;
   /** in place of `hit`: what lies under a place of the picture */
   surface: Viewport['pick'] | null = null;
@@ -44,8 +46,9 @@ export class Driver implements Bench {
     this.selection = ids;
   }
 
-  notify(notice: Notice): void {
+  notify(notice: Notice, offer: readonly Command[] = []): void {
     this.notices.push(notice);
+    this.offer = offer;
   }
 
   undo(): void {

@@ -1,24 +1,53 @@
+import type { Vec2 } from '../../math/vec.ts';
+import { isInside } from '../../skeleton/medial/outline.ts';
 import type { Plane, Stroke } from '../../stroke/stroke.ts';
-import type { Document } from '../document.ts';
+import { type Document, type Draft, readingOf } from '../document.ts';
 import type { CommandKind } from './index.ts';
 import { keep } from './keep.ts';
 
-/** A further stroke of the unfinished form; one that cannot join it keeps it and begins the next. */
-export const addStroke: CommandKind<'addStroke', { readonly stroke: Stroke }> = {
+export interface Data extends Pick<Draft, 'form' | 'joins' | 'carves'> {
+  readonly stroke: Stroke;
+}
+
+/** A further stroke of the unfinished form; one that cannot join it keeps it and begins the next, of which the rest is said. */
+export const addStroke: CommandKind<'addStroke', Data> = {
   type: 'addStroke',
-  apply(document, { stroke }) {
-    const on = !document.draft || joinsDraft(document, stroke) ? document : keep.apply(document, {});
-    return { ...on, draft: { strokes: [...(on.draft?.strokes ?? []), stroke] } };
+  apply(document, { stroke, form, joins, carves }) {
+    if (document.draft && joinsDraft(document, stroke)) {
+      const { draft } = document;
+      return { ...document, draft: { ...draft, strokes: [...draft.strokes, stroke] } };
+    }
+    const on = document.draft ? keep.apply(document, {}) : document;
+    const draft: Draft = {
+      strokes: [stroke],
+      ...(form && { form }),
+      ...(joins && { joins }),
+      ...(carves && { carves }),
+    };
+    return { ...on, draft };
   },
   describe: (document) => `stroke ${(document.draft?.strokes.length ?? 0) + 1}`,
 };
 
-/** The second stroke makes a form round. An open and a closed one have no ends in common: they stay two tubes. */
+/** most holes of an outline */
+export const MOST_HOLES = 64;
+
+/** The second stroke makes a form round; further ones inside an outline are holes of it. An open and a closed one have no ends in common: they stay two tubes. */
 export function joinsDraft(document: Document, stroke: Stroke): boolean {
-  const strokes = document.draft?.strokes ?? [];
+  const { strokes = [], form } = document.draft ?? {};
   const first = strokes[0];
-  if (!first || strokes.length > 1 || document.tubesOnly) return false;
-  return belongTogether(first, stroke);
+  if (!first || !belongTogether(first, stroke)) return false;
+  if (readingOf(document) === 'solid') {
+    const holds = form === undefined || form === 'soft' || form === 'plate';
+    return holds && stroke.closed && strokes.length <= MOST_HOLES && liesInside(stroke, first);
+  }
+  return strokes.length === 1 && !document.tubesOnly && form !== 'tube';
+}
+
+/** All of it. */
+function liesInside({ samples }: Stroke, { samples: outline }: Stroke): boolean {
+  const loop = outline.map(({ x, y }): Vec2 => [x, y]);
+  return samples.every(({ x, y }) => isInside([x, y], [loop]));
 }
 
 /** May two strokes be sides of one form? */

@@ -7,15 +7,23 @@ import { addBody } from './addBody.ts';
 import { addStroke } from './addStroke.ts';
 import { drop } from './drop.ts';
 import { duplicateParts } from './duplicateParts.ts';
+import { editSkeleton } from './editSkeleton.ts';
 import { keep } from './keep.ts';
 import { load } from './load.ts';
+import { mirrorParts } from './mirrorParts.ts';
+import { moveGroups } from './moveGroups.ts';
 import { moveParts } from './moveParts.ts';
+import { paste } from './paste.ts';
 import { removeAll } from './removeAll.ts';
 import { removeLast } from './removeLast.ts';
 import { removeParts } from './removeParts.ts';
 import { renamePart } from './renamePart.ts';
+import { scaleParts } from './scaleParts.ts';
 import { setBody } from './setBody.ts';
 import { setBrush } from './setBrush.ts';
+import { setComponents } from './setComponents.ts';
+import { setForm } from './setForm.ts';
+import { setGroups } from './setGroups.ts';
 import { setPartBrush } from './setPartBrush.ts';
 import { setTubesOnly } from './setTubesOnly.ts';
 import { showParts } from './showParts.ts';
@@ -45,6 +53,14 @@ const kinds = {
   showParts,
   moveParts,
   duplicateParts,
+  scaleParts,
+  mirrorParts,
+  paste,
+  setForm,
+  setGroups,
+  setComponents,
+  moveGroups,
+  editSkeleton,
   load,
 } as const;
 

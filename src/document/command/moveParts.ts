@@ -1,5 +1,8 @@
-import { compose, isUnmoved, type Placement } from '../../math/placement.ts';
+import { compose, isUnmoved, type Placement, unplaced } from '../../math/placement.ts';
 import { isInReach } from '../../stroke/stroke.ts';
+import type { Part } from '../document.ts';
+import { placedStroke } from '../placedStroke.ts';
+import type { Group } from '../solid.ts';
 import { changeParts, nameOf } from './changeParts.ts';
 import type { CommandKind } from './index.ts';
 
@@ -9,15 +12,23 @@ export interface Data {
   readonly by: Placement;
 }
 
-/** Moves and turns parts; the strokes stay as they were drawn. A part does not leave the space there is. */
+/** Moves and turns parts, the strokes stay as they were drawn; groups of a solid with the plane of their strokes. Nothing leaves the space there is. */
 export const moveParts: CommandKind<'moveParts', Data> = {
   type: 'moveParts',
   apply(document, { ids, by }) {
     if (isUnmoved(by)) return document;
-    return changeParts(document, ids, (part) => {
+    const placed = (part: Part): Part => {
       const placement = compose(by, part.placement);
       return isInReach(placement.translation) ? { ...part, placement } : part;
-    });
+    };
+    return changeParts(document, ids, placed, (group, of) => moved(group, of, by));
   },
   describe: (document, { ids }) => `${nameOf(document, ids)} moved`,
 };
+
+/** `by` is of the model's space, and the group is placed within its solid. */
+export function moved(group: Group, { placement }: Part, by: Placement): Group {
+  const within = compose(unplaced(placement), compose(by, placement));
+  const strokes = group.strokes.map((stroke) => placedStroke(stroke, within));
+  return strokes.every(({ plane }) => isInReach(plane.origin)) ? { ...group, strokes } : group;
+}

@@ -1,13 +1,19 @@
-import { nameOf } from './changeParts.ts';
+import { changeParts, nameOf } from './changeParts.ts';
 import type { CommandKind } from './index.ts';
 
-/** Deletes the parts with these ids. */
+/** Deletes the parts, components and groups with these ids; what is empty then goes with them. */
 export const removeParts: CommandKind<'removeParts', { readonly ids: readonly string[] }> = {
   type: 'removeParts',
   apply(document, { ids }) {
     const gone = new Set(ids);
     const parts = document.parts.filter(({ id }) => !gone.has(id));
-    return parts.length === document.parts.length ? document : { ...document, parts };
+    const left = parts.length === document.parts.length ? document : { ...document, parts };
+    return changeParts(
+      left,
+      ids,
+      (part) => part,
+      () => null,
+    );
   },
   describe: (document, { ids }) => `${nameOf(document, ids)} deleted`,
 };

@@ -1,4 +1,5 @@
-import { changeParts, nameOf } from './changeParts.ts';
+import { type Document, isSolid } from '../document.ts';
+import { nameOf } from './changeParts.ts';
 import type { CommandKind } from './index.ts';
 
 /** Characters of a part's name. */
@@ -10,10 +11,30 @@ export const renamePart: CommandKind<'renamePart', { readonly id: string; readon
   apply(document, { id, name }) {
     const trimmed = cut(name.trim());
     if (!trimmed) return document;
-    return changeParts(document, [id], (part) => (part.name === trimmed ? part : { ...part, name: trimmed }));
+    return renamed(document, id, trimmed);
   },
   describe: (document, { id }) => `name of ${nameOf(document, [id])}`,
 };
+
+/** A part, a component or a group. */
+function renamed(document: Document, id: string, name: string): Document {
+  const named = <T extends { readonly id: string; readonly name: string }>(item: T): T =>
+    item.id === id && item.name !== name ? { ...item, name } : item;
+  const parts = document.parts.map((part) => {
+    if (!isSolid(part)) return named(part);
+    const components = each(part.components, (component) => {
+      const groups = each(component.groups, named);
+      return named(groups === component.groups ? component : { ...component, groups });
+    });
+    return named(components === part.components ? part : { ...part, components });
+  });
+  return parts.every((part, i) => part === document.parts[i]) ? document : { ...document, parts };
+}
+
+function each<T>(items: readonly T[], change: (item: T) => T): readonly T[] {
+  const changed = items.map(change);
+  return changed.every((item, i) => item === items[i]) ? items : changed;
+}
 
 /** No half of a character stays at the end. */
 export function cut(name: string, length = LONGEST_NAME): string {

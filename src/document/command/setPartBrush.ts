@@ -1,4 +1,5 @@
-import { type Brush, isBody, type Part } from '../document.ts';
+import { type Brush, isBody, isSolid, type Part } from '../document.ts';
+import { type Group, withGroups } from '../solid.ts';
 import { changeParts, nameOf } from './changeParts.ts';
 import type { CommandKind } from './index.ts';
 import { brushWords } from './setBrush.ts';
@@ -8,10 +9,16 @@ export interface Data {
   readonly change: Partial<Brush>;
 }
 
-/** Colour, radius and the rest of kept parts; the strokes stay. Bodies have a colour, and nothing else of a brush. */
+/** Colour, radius and the rest of kept parts; the strokes stay. Bodies have a colour, and nothing else of a brush; of a solid all groups are set. */
 export const setPartBrush: CommandKind<'setPartBrush', Data> = {
   type: 'setPartBrush',
-  apply: (document, { ids, change }) => changeParts(document, ids, (part) => brushed(part, change)),
+  apply: (document, { ids, change }) =>
+    changeParts(
+      document,
+      ids,
+      (part) => brushed(part, change),
+      (group) => groupBrushed(group, change),
+    ),
   describe: (document, { ids, change }) =>
     `${brushWords(Object.keys(change) as (keyof Brush)[])} of ${nameOf(document, ids)}`,
 };
@@ -21,8 +28,12 @@ function brushed(part: Part, change: Partial<Brush>): Part {
     const { colour = part.colour } = change;
     return colour === part.colour ? part : { ...part, colour };
   }
-  const keys = Object.keys(change) as (keyof Brush)[];
-  return keys.every((key) => change[key] === part.brush[key])
-    ? part
-    : { ...part, brush: { ...part.brush, ...change } };
+  if (isSolid(part)) return withGroups(part, (group) => [groupBrushed(group, change)]);
+  return hasAll(part.brush, change) ? part : { ...part, brush: { ...part.brush, ...change } };
 }
+
+const groupBrushed = (group: Group, change: Partial<Brush>): Group =>
+  hasAll(group.brush, change) ? group : { ...group, brush: { ...group.brush, ...change } };
+
+const hasAll = (brush: Brush, change: Partial<Brush>): boolean =>
+  (Object.keys(change) as (keyof Brush)[]).every((key) => change[key] === brush[key]);

@@ -10,6 +10,11 @@ export interface Data {
 export const showParts: CommandKind<'showParts', Data> = {
   type: 'showParts',
   apply: (document, { ids, visible }) =>
-    changeParts(document, ids, (part) => (part.hidden === !visible ? part : { ...part, hidden: !visible })),
+    changeParts(
+      document,
+      ids,
+      (part) => (part.hidden === !visible ? part : { ...part, hidden: !visible }),
+      (group) => (group.hidden === !visible ? group : { ...group, hidden: !visible }),
+    ),
   describe: (document, { ids, visible }) => `${nameOf(document, ids)} ${visible ? 'shown' : 'hidden'}`,
 };

@@ -1,0 +1,70 @@
+import { type Affine, composed } from '../../field/affine.ts';
+import type { FieldNode } from '../../field/node.ts';
+import { type Placement, place3, unplaced } from '../../math/placement.ts';
+import { add3, dot3, scale3, sub3, unrotate3 } from '../../math/tuple.ts';
+import type { Vec3 } from '../../math/vec.ts';
+import type { Stroke } from '../../stroke/stroke.ts';
+import { isBody, isSolid, type Part } from '../document.ts';
+import { type Group, withGroups } from '../solid.ts';
+import { changeParts, nameOf } from './changeParts.ts';
+import type { CommandKind } from './index.ts';
+
+export interface Mirror {
+  /** a point of it, mm, and its unit normal */
+  readonly about: Vec3;
+  readonly normal: Vec3;
+}
+
+export interface Data extends Mirror {
+  readonly ids: readonly string[];
+}
+
+/** Parts and groups as a mirror shows them. Strokes stay what was drawn; the axes of their planes are mirrored. */
+export const mirrorParts: CommandKind<'mirrorParts', Data> = {
+  type: 'mirrorParts',
+  apply: (document, { ids, about, normal }) =>
+    changeParts(
+      document,
+      ids,
+      (part) => mirrored(part, within({ about, normal }, part.placement)),
+      (group, of) => mirroredGroup(group, within({ about, normal }, of.placement)),
+    ),
+  describe: (document, { ids }) => `${nameOf(document, ids)} mirrored`,
+};
+
+/** The mirror as a placed part sees it: the part keeps its placement, and is mirrored before. */
+const within = ({ about, normal }: Mirror, placement: Placement): Mirror => ({
+  about: place3(unplaced(placement), about),
+  normal: unrotate3(placement.rotation, normal),
+});
+
+function mirrored(part: Part, mirror: Mirror): Part {
+  if (isBody(part)) return { ...part, node: mapped(part.node, matrixOf(mirror)) };
+  if (isSolid(part)) return withGroups(part, (group) => [mirroredGroup(group, mirror)]);
+  return { ...part, strokes: part.strokes.map((stroke) => mirroredStroke(stroke, mirror)) };
+}
+
+/** Maps of maps are one. */
+export const mapped = (node: FieldNode, matrix: Affine): FieldNode =>
+  node.type === 'affine'
+    ? { ...node, matrix: composed(matrix, node.matrix) }
+    : { type: 'affine', matrix, node };
+
+const mirroredGroup = (group: Group, mirror: Mirror): Group => ({
+  ...group,
+  strokes: group.strokes.map((stroke) => mirroredStroke(stroke, mirror)),
+});
+
+function mirroredStroke(stroke: Stroke, { about, normal }: Mirror): Stroke {
+  const { origin, x, y } = stroke.plane;
+  const way = (v: Vec3): Vec3 => sub3(v, scale3(normal, 2 * dot3(v, normal)));
+  return { ...stroke, plane: { origin: add3(about, way(sub3(origin, about))), x: way(x), y: way(y) } };
+}
+
+/** Rows of a 3 × 4 matrix. */
+function matrixOf({ about, normal: n }: Mirror): Affine {
+  const d = 2 * dot3(about, n);
+  const row = (i: 0 | 1 | 2) => [0, 1, 2].map((k) => (i === k ? 1 : 0) - 2 * n[i] * n[k]!);
+  const [a, b, c] = [row(0), row(1), row(2)] as [number[], number[], number[]];
+  return [...a, d * n[0], ...b, d * n[1], ...c, d * n[2]] as unknown as Affine;
+}

@@ -1,0 +1,90 @@
+import { type Placement, place3, unplaced } from '../../math/placement.ts';
+import { add3, scale3, sub3 } from '../../math/tuple.ts';
+import type { Vec3 } from '../../math/vec.ts';
+import { isInReach, type Stroke } from '../../stroke/stroke.ts';
+import { type Brush, isBody, isSolid, type Part } from '../document.ts';
+import { RADII } from '../radii.ts';
+import { type Group, withGroups } from '../solid.ts';
+import { changeParts, nameOf } from './changeParts.ts';
+import type { CommandKind } from './index.ts';
+import { mapped } from './mirrorParts.ts';
+
+export interface Data {
+  readonly ids: readonly string[];
+  /** 0.01–100 */
+  readonly factor: number;
+  /** the point that stays, mm */
+  readonly about: Vec3;
+}
+
+/** Makes parts and groups larger or smaller, strokes and radii alike; what would leave the space there is stays as it is. */
+export const scaleParts: CommandKind<'scaleParts', Data> = {
+  type: 'scaleParts',
+  apply(document, { ids, factor, about }) {
+    if (factor === 1) return document;
+    return changeParts(
+      document,
+      ids,
+      (part) => scaled(part, factor, about),
+      (group, of) => {
+        const next = scaledGroup(group, factor, place3(unplaced(of.placement), about));
+        return next && isInReach(next.strokes[0]!.plane.origin) ? next : group;
+      },
+    );
+  },
+  describe: (document, { ids, factor }) => `${nameOf(document, ids)} ${factor > 1 ? 'larger' : 'smaller'}`,
+};
+
+function scaled(part: Part, factor: number, about: Vec3): Part {
+  // what is drawn is scaled about its own origin, and the placement takes it to where it belongs
+  const translation = add3(about, scale3(sub3(part.placement.translation, about), factor));
+  const placement: Placement = { ...part.placement, translation };
+  if (!isInReach(translation)) return part;
+  if (isBody(part)) {
+    const matrix = [factor, 0, 0, 0, 0, factor, 0, 0, 0, 0, factor, 0] as const;
+    return { ...part, placement, node: mapped(part.node, matrix) };
+  }
+  if (isSolid(part)) {
+    const solid = withGroups(part, (group) => [scaledGroup(group, factor, [0, 0, 0]) ?? group]);
+    return { ...solid, placement };
+  }
+  const strokes = part.strokes.map((stroke) => scaledStroke(stroke, factor, [0, 0, 0]));
+  return isWithin(strokes) ? { ...part, placement, strokes, brush: scaledBrush(part.brush, factor) } : part;
+}
+
+function scaledGroup(group: Group, factor: number, about: Vec3): Group | null {
+  const strokes = group.strokes.map((stroke) => scaledStroke(stroke, factor, about));
+  if (!isWithin(strokes)) return null;
+  const { skeleton } = group;
+  const nodes = skeleton?.nodes.map(({ at, radius }) => ({
+    at: [factor * at[0], factor * at[1]] as const,
+    radius: factor * radius,
+  }));
+  return {
+    ...group,
+    strokes,
+    brush: scaledBrush(group.brush, factor),
+    skeleton: skeleton && { nodes: nodes!, links: skeleton.links },
+  };
+}
+
+const isWithin = (strokes: readonly Stroke[]): boolean =>
+  strokes.every(
+    ({ samples, plane }) => isInReach(plane.origin) && samples.every(({ x, y }) => isInReach([x, y])),
+  );
+
+/** The view scales with it: what was trembling of the hand still is. */
+function scaledStroke(stroke: Stroke, factor: number, about: Vec3): Stroke {
+  const { samples, plane, view } = stroke;
+  return {
+    ...stroke,
+    samples: samples.map((sample) => ({ ...sample, x: factor * sample.x, y: factor * sample.y })),
+    plane: { ...plane, origin: add3(about, scale3(sub3(plane.origin, about), factor)) },
+    view: { ...view, height: view.height * factor },
+  };
+}
+
+const scaledBrush = (brush: Brush, factor: number): Brush => ({
+  ...brush,
+  radius: Math.min(RADII.max, Math.max(RADII.min, brush.radius * factor)),
+});

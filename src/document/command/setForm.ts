@@ -1,0 +1,37 @@
+import type { Document, Draft, Joins } from '../document.ts';
+import { WORD } from '../words.ts';
+import type { CommandKind } from './index.ts';
+
+export interface Data {
+  /** what the strokes become; null: what their number says */
+  readonly form?: NonNullable<Draft['form']> | null;
+  /** where the solid goes; null: a part of its own */
+  readonly joins?: Joins | null;
+  readonly carves?: boolean;
+}
+
+/** What the unfinished form is to become. What is left out stays. */
+export const setForm: CommandKind<'setForm', Data> = {
+  type: 'setForm',
+  apply(document, change) {
+    const { draft } = document;
+    if (!draft) return document;
+    const { form = draft.form ?? null, joins = draft.joins ?? null, carves = draft.carves ?? false } = change;
+    const next: Draft = {
+      strokes: draft.strokes,
+      ...(form && { form }),
+      ...(joins && { joins }),
+      ...(carves && { carves: true as const }),
+    };
+    return JSON.stringify(said(next)) === JSON.stringify(said(draft))
+      ? document
+      : { ...document, draft: next };
+  },
+  describe: (_document: Document, { form, joins, carves }) => {
+    if (form) return `${WORD[form].toLowerCase()} from the strokes`;
+    if (joins !== undefined) return joins ? 'joined' : 'a part of its own';
+    return carves ? 'carving' : 'form of the strokes';
+  },
+};
+
+const said = ({ form, joins, carves }: Draft) => [form, joins?.solid, joins?.component, carves];

@@ -1,0 +1,33 @@
+/** A thick body and thin limbs, each with its own width of the kernel. */
+import type { SkelsNode } from '../../src/field/node.ts';
+import { kernelNamed } from '../../src/kernel/index.ts';
+import { lineWeight, pointWeight, widthFor } from '../../src/skeleton/weight.ts';
+
+export function widths(name: string): SkelsNode {
+  const kernel = kernelNamed(name)!;
+  const [thick, thin] = [widthFor(kernel, {}, 10), widthFor(kernel, {}, 1.5)];
+  return {
+    type: 'skels',
+    kernel: name,
+    params: {},
+    threshold: 0.5,
+    skels: [
+      {
+        skel: { type: 'point', at: [0, 0, 0], weight: pointWeight(kernel, thick, 10, 0.5) },
+        params: thick,
+        colour: [1, 0, 0],
+      },
+      {
+        skel: {
+          type: 'segment',
+          a: [6, 2, 0],
+          b: [20, 9, 3],
+          weights: [lineWeight(kernel, thin, 1.5, 0.5)],
+        },
+        params: thin,
+        colour: [0, 0, 1],
+      },
+      { skel: { type: 'segment', a: [-6, 0, 0], b: [-16, 6, 0], weights: [lineWeight(kernel, {}, 2, 0.5)] } },
+    ],
+  };
+}
