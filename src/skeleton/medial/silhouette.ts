@@ -109,7 +109,7 @@ const DETAIL: readonly { readonly branch: number; readonly few: SimplifyOptions 
 /** of the longer side of the outline, where it is off most but for corners */
 const ENOUGH = 0.01;
 /** of the same: what has no larger circle is a line */
-const HELD = 1e-5;
+const HELD = 2e-4;
 /** nodes: a finer skeleton does not have more, which would take long for little */
 const MANY = 60;
 /** share by which a finer skeleton has to be nearer */
