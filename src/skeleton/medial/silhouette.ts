@@ -50,11 +50,10 @@ function axisOf(
     return { axis: medialAxis(cornered), fine: cornered };
   }
   const radii = axis.nodes.map(({ radius }) => radius).sort((a, b) => a - b);
-  const thin = radii[Math.floor(radii.length / 4)] ?? 0;
+  // radii of less than the spacing say nothing: circles of a bar as thin come out at any size
+  const thin = radii[Math.floor(radii.length / 4)] ?? Infinity;
   const wanted = Math.min(roundOf(loops) / (SPACING * thin), MOST_PLACES);
-  return count === PLACES && wanted > 1.3 * count && thin > HELD * sizeOf(loops)
-    ? axisOf(loops, wanted)
-    : { axis, fine };
+  return count === PLACES && wanted > 1.3 * count ? axisOf(loops, wanted) : { axis, fine };
 }
 
 export interface Silhouette extends Fitted {
