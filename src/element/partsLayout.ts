@@ -37,7 +37,7 @@ export const partsLayout = css`
   .acts .b { flex-direction: column; gap: 0.125rem; height: 3.75rem; min-width: 4.5rem; border-radius: 0.875rem; font-size: 0.75rem; line-height: 1rem; }
   .acts .b > .name { display: block; }
   .acts .tip { display: none; }
-  .acts ~ .status { max-width: calc(50cqw - 14.5rem); }
+  .acts ~ .status { max-width: calc(50cqw - 21rem); }
   .acts.docked ~ .status .aside { display: none; }
   .acts .swatch, .acts .swatch .ball { width: 1.5rem; height: 1.5rem; }
 
@@ -84,11 +84,16 @@ export const partsLayout = css`
 
   @container (min-width: 1100px) {
     .acts.docked { left: calc(50% - 10.5rem); }
-    .acts.docked ~ .status { max-width: calc(50cqw - 25rem); }
+    .acts.docked ~ .status { max-width: calc(50cqw - 31.5rem); }
   }
   @container (min-width: 700px) and (max-width: 1099px) {
     .acts.docked { left: calc(50% - 10.5rem); }
-    .acts.docked ~ .status { bottom: calc(var(--gap) + 5rem); }
+    .acts.docked .b { min-width: 3rem; padding: 0 0.25rem; }
+    .acts.docked .elsewhere { display: none; }
+    .acts ~ .status { bottom: calc(var(--gap) + 5rem); max-width: 50%; }
+  }
+  @container (min-width: 1100px) and (max-width: 1399px) {
+    .acts.docked ~ .status { bottom: calc(var(--gap) + 5rem); max-width: 40%; }
   }
   @container (max-width: 699px) {
     .chip { width: auto; }

@@ -71,7 +71,8 @@ function fitted(
   options: FitOptions,
   count: number,
 ): Silhouette {
-  const places = spaced(loops, Math.max(count, PER_NODE * skeleton.nodes.length), FEWEST).flat();
+  const wanted = Math.min(PER_NODE * skeleton.nodes.length, 2 * FITTED);
+  const places = spaced(loops, Math.max(count, wanted), FEWEST).flat();
   return { ...fitWeights(skeleton, places, kernel, params, threshold, options), params };
 }
 
@@ -109,6 +110,8 @@ const DETAIL: readonly { readonly branch: number; readonly few: SimplifyOptions 
 const ENOUGH = 0.01;
 /** of the same: what has no larger circle is a line */
 const HELD = 1e-5;
+/** nodes: a finer skeleton does not have more, which would take long for little */
+const MANY = 60;
 /** share by which a finer skeleton has to be nearer */
 const BETTER = 0.1;
 
@@ -129,6 +132,7 @@ export function silhouetteOf(
   const skeletons = skeleton === 'paper' ? [() => skeletonPaper(whole)] : skeletonsOf(whole, quick);
   for (const make of skeletons) {
     const graph = make();
+    if (best && graph.nodes.length > MANY) break;
     if (!graph.nodes.some(({ radius }) => radius > HELD * size)) return null;
     const own = width === 'given' ? params : widthOf([graph], kernel, params);
     const options = quick ? { ...FITTING, moves: 0 } : FITTING;

@@ -24,7 +24,7 @@ export const SIMPLIFYING: SimplifyOptions = { deviation: 0.08, longest: 2.5, joi
 const LEAST = 0.4;
 
 /** of a skeleton, as long as fewer joints and ends do: what is as thin as a hair is not followed at every width */
-const MOST_NODES = 120;
+const MOST_NODES = 80;
 /** by how much pieces grow until they are few enough */
 const COARSER = 1.6;
 

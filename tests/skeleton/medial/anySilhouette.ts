@@ -43,11 +43,13 @@ const KINDS: Readonly<Record<string, (next: () => number, seed: number) => Loops
   },
   'nearly touching': (next) => {
     const slit = 10 ** (-1 - 4 * next());
-    const line = Array.from({ length: 80 }, (_, i): Vec2 => {
-      const t = slit + (2 * Math.PI - 2 * slit) * (i / 79);
-      return [25 * Math.cos(t), 25 * Math.sin(t)];
-    });
-    return [about(line, 3 + 6 * next())];
+    const wide = 3 + 6 * next();
+    const side = (radius: number) =>
+      Array.from({ length: 80 }, (_, i): Vec2 => {
+        const t = slit + (2 * Math.PI - 2 * slit) * (i / 79);
+        return [radius * Math.cos(t), radius * Math.sin(t)];
+      });
+    return [[...side(25 + wide), ...side(25 - wide).reverse()]];
   },
   tiny: (_, seed) => [stretched(blob(seed), [1e-6, 1e-6])],
   huge: (next, seed) => [shifted(stretched(blob(seed), [1e5, 1e5]), [1e6 * next(), -1e6 * next()])],
