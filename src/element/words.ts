@@ -277,6 +277,7 @@ export const SOLID_WORDS = {
   open: (name: string) => `Show what ${name} is made of`,
   closed: (name: string) => `Hide what ${name} is made of`,
   carves: 'carves',
+  carving: 'Carves what it blends with',
   byHand: 'edited skeleton',
   dropOn: {
     blend: (name: string) => `Blend with ${name}`,
@@ -387,8 +388,7 @@ export const SKELETON_WORDS = {
   hint: 'Arrow keys move it 1 mm, with Shift 10 mm; plus and minus change its radius; Page Up and Page Down go to the next; Enter splits a link; Delete removes it.',
   add: 'Add a node: drag to where it goes',
   remove: 'Delete the node',
-  edited: (name: string) => `Skeleton of ${name} edited`,
-  reset: (name: string) => `Skeleton of ${name} as the strokes say`,
+  asDrawn: 'As the strokes say',
   profile: 'Profile',
   profileOf: (name: string) => `Profile of ${name}`,
   profilePoint: (point: number, of: number) => `Thickness at ${point} of ${of}`,
