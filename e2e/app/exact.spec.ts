@@ -158,11 +158,29 @@ test('the graphics device casts the picture of the workers, and while the view t
     await whole(page);
     return takePicture(page);
   };
+  /** bands of rays since the last time */
+  const cast = () => page.evaluate(() => document.body.dataset.cast);
+  await page.evaluate(() => {
+    const { device } = document.querySelector('rotund-sketch')!.session.scene!;
+    const encoder = device!.createCommandEncoder.bind(device);
+    let count = 0;
+    device!.createCommandEncoder = (what) => {
+      if (what?.label === 'raycast') document.body.dataset.cast = String(++count);
+      return encoder(what);
+    };
+  });
   await look({ style: 'toon', mode: 'exact' });
   const toon = await exact();
-  // of the same images, or of those that are cast once more
+  const before = Number(await cast());
+  expect(before).toBeGreaterThan(4);
+  // of the same images, and so is a file as large
   await look({ style: 'hbed-ink' });
   const ink = await exact();
+  await page.evaluate(async () => {
+    const sketch = document.querySelector('rotund-sketch')!;
+    await sketch.picture(sketch.session.scene!.pixels);
+  });
+  expect(Number(await cast())).toBe(before);
   await look({ mode: 'mesh' });
   await page.evaluate(() => {
     document.querySelector('rotund-sketch')!.session.rays.choice = 'worker';
@@ -180,15 +198,85 @@ test('the graphics device casts the picture of the workers, and while the view t
     const told: boolean[] = [];
     seen.live = (now) => told[told.push(live(now)) - 1]!;
     const view = session.scene!.rig.view();
-    session.scene!.rig.setView({ ...view, height: 1.02 * view.height }, false);
-    session.frames.wake();
-    await new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
+    // the first frame asks for room
+    for (const height of [1.01 * view.height, 1.02 * view.height]) {
+      session.scene!.rig.setView({ ...view, height }, false);
+      session.frames.wake();
+      await new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
+      await session.scene!.device!.queue.onSubmittedWorkDone();
+    }
     return told;
   });
-  expect(isLive[0]).toBe(true);
+  expect(isLive.at(-1)).toBe(true);
   const turned = await takePicture(page);
   await look({ mode: 'mesh' });
   expect(differing(turned, await takePicture(page), 110)).toBeLessThan(30);
+  expect(errors).toEqual([]);
+});
+
+test('an undo while the device casts shows what was before, and nothing of what was begun', async ({
+  page,
+}) => {
+  test.setTimeout(300_000);
+  const errors: string[] = [];
+  page.on('pageerror', (error) => errors.push(error.message));
+  page.on('console', (message) => message.type() === 'error' && errors.push(message.text()));
+  await open(page, '/?rays=device', TEXT);
+  await page.setViewportSize({ width: 240, height: 180 });
+  await page.evaluate(() => document.querySelector('rotund-sketch')!.session.setMode('exact'));
+  await whole(page);
+  const first = await takePicture(page);
+  const move = (by: number) =>
+    page.evaluate((x) => {
+      const { session } = document.querySelector('rotund-sketch')!;
+      const ids = session.document.parts.filter(({ kind }) => kind === 'body').map(({ id }) => id);
+      const moved = { rotation: [0, 0, 0, 1], translation: [x, 0, 0] } as const;
+      session.commit([{ type: 'moveParts', ids, by: moved }]);
+    }, by);
+  await move(60);
+  // rays of the moved body are on their way
+  await page.evaluate(async () => {
+    const { session } = document.querySelector('rotund-sketch')!;
+    while (session.exact.evaluationsAPixel === null && session.exact.share === null)
+      await new Promise((done) => requestAnimationFrame(done));
+    session.undo();
+  });
+  await whole(page);
+  expect(differing(first, await takePicture(page), 2)).toBe(0);
+  expect(errors).toEqual([]);
+});
+
+test('the field page by the graphics device shows what it shows by workers', async ({ page }) => {
+  test.setTimeout(300_000);
+  const errors: string[] = [];
+  page.on('pageerror', (error) => errors.push(error.message));
+  page.on('console', (message) => message.type() === 'error' && errors.push(message.text()));
+  // beside the panel there is room for the point
+  await page.setViewportSize({ width: 800, height: 400 });
+  const shown = async (rays: 'device' | 'worker') => {
+    await page.goto(`/field.html?rays=${rays}#skeleton=point&surface=exact`);
+    await expect
+      .poll(
+        () =>
+          page.evaluate(() => {
+            const { stage } = document.querySelector('rotund-field')!;
+            stage.wake();
+            return stage.cast !== null && stage.exact.evaluationsAPixel !== null && stage.exact.isWhole;
+          }),
+        { timeout: 90_000 },
+      )
+      .toBe(true);
+    return readPicture(await page.screenshot({ clip: { x: 0, y: 80, width: 440, height: 220 } }));
+  };
+  const byDevice = await shown('device');
+  expect(differing(byDevice, await shown('worker'), 40)).toBeLessThan(30);
+  let seen = 0;
+  for (let y = 0; y < byDevice.height; y++)
+    for (let x = 0; x < byDevice.width; x++) {
+      const [red, , blue] = byDevice.at(x, y);
+      if (red - blue > 60) seen++;
+    }
+  expect(seen).toBeGreaterThan(1000);
   expect(errors).toEqual([]);
 });
 

@@ -318,7 +318,7 @@ test('by keys alone: the list selects, a handle moves, Delete deletes, Escape le
   await open(page);
   await page.getByRole('button', { name: 'Parts, 2' }).focus();
   await page.keyboard.press('Enter');
-  await page.getByRole('grid').focus();
+  await page.getByRole('treegrid').focus();
   await page.keyboard.press('ArrowDown');
   await expect(page.getByRole('row', { name: /^Eye/ })).toHaveAttribute('aria-selected', 'true');
   const before = await facts(page);
@@ -335,9 +335,9 @@ test('by keys alone: the list selects, a handle moves, Delete deletes, Escape le
   await page.locator('.stage').focus();
   await page.keyboard.press('Escape');
   expect((await facts(page)).selection).toEqual([]);
-  await expect(page.getByRole('grid')).toBeVisible();
+  await expect(page.getByRole('treegrid')).toBeVisible();
   await page.keyboard.press('Escape');
-  await expect(page.getByRole('grid')).toBeHidden();
+  await expect(page.getByRole('treegrid')).toBeHidden();
   await page.keyboard.press('Control+a');
   await page.keyboard.press('h');
   expect((await facts(page)).hidden).toEqual([true, true]);

@@ -1,7 +1,8 @@
 /** Pen-up to the surface on the screen, and frame time per style, in the application on this machine's adapter. */
 import { expect, test } from '@playwright/test';
+import { TIMINGS } from '../../src/element/timing.ts';
 import { BODY } from '../pear.ts';
-import { PenDriver } from '../pen.ts';
+import { PenDriver, type Point } from '../pen.ts';
 
 const median = (values: number[]) => [...values].sort((a, b) => a - b)[Math.floor(values.length / 2)]!;
 
@@ -54,4 +55,29 @@ test('pen-up and frames', async ({ page }) => {
       `frame, ${style.padEnd(11)} ${time.toFixed(0).padStart(5)} ms   ${(time / base).toFixed(2)} × shaded`,
     );
   }
+});
+
+test('pen-up to the mesh of a solid', async ({ page }) => {
+  test.setTimeout(300_000);
+  await page.goto('/');
+  await expect(page.locator('rotund-sketch')).toHaveAttribute('data-backend', /WebG/);
+  const pen = await PenDriver.on(page);
+  // a figure of three bulges, drawn anew each time
+  const outline = (turn: number): Point[] =>
+    Array.from({ length: 120 }, (_, i) => {
+      const angle = (i / 120) * 2 * Math.PI;
+      const radius = 150 * (1 + 0.2 * Math.cos(3 * angle + turn));
+      return [420 + radius * Math.cos(angle), 300 + radius * Math.sin(angle)];
+    });
+  for (let i = 0; i < 6; i++) {
+    await pen.draw(outline(i));
+    await page.evaluate(() => document.querySelector('rotund-sketch')!.session.bodies.settled());
+    await page.keyboard.press('Escape');
+  }
+  const times = await page.evaluate(
+    (names) => names.map((name) => performance.getEntriesByName(name).map(({ duration }) => duration)),
+    Object.values(TIMINGS),
+  );
+  for (const [i, name] of Object.values(TIMINGS).entries())
+    console.log(`${name}: ${median(times[i]!).toFixed(0)} ms, of ${times[i]!.length}`);
 });

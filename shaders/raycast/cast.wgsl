@@ -13,8 +13,9 @@
 
 // of a pixel: shorter steps are none
 const FINEST = 0.015625;
-// looks at most; who needs more grazes a surface all along
+// looks at most, or looks and terms, so that cheap trees may be looked at more often; who needs more grazes a surface all along
 const MOST_LOOKS = 1024u;
+const MOST_WORK = 4096u;
 const NARROWINGS = 12u;
 const POLISHES = 3u;
 // of what is left, and of the lattice: a step that short leaves nothing to be seen; float32 knows no less
@@ -71,7 +72,7 @@ fn cast_pixels(@builtin(global_invocation_id) id: vec3u) {
   c.knows_side = span.z >= 0.0;
   find_brick(&c, &walk, true);
   var asked = 0u;
-  for (var looks = 0u; looks < MOST_LOOKS && c.mode != NOTHING; looks++) {
+  for (var looks = 0u; (looks < MOST_LOOKS || looks + asked < MOST_WORK) && c.mode != NOTHING; looks++) {
     let p = start + c.t * ray.along;
     let is_paint = c.mode == PAINT;
     asked_terms = 0u;

@@ -74,14 +74,18 @@ fn seen_leaf(step: Step, leaf: u32, p: vec3f, ray: vec3f, reach: f32, colours: b
     seen.sight.slope *= place.scale;
   }
   if (step.take == TAKE_SHAPE) {
-    seen.sight = shape_sight(load_shape(step.at), seen.field.x, q, along, reach);
+    seen.sight = shape_sight(load_shape(step.at), seen.field.x, dot(seen.field.yzw, ray), q, along, reach);
   }
   return seen;
 }
 
-// In the world distances change by no more than what is gone; what is none is asked for its interval over the next part of the ray, which is
+// Outside of what is convex, and on it, the value never rises faster than it does here: rays along a wall see all of it at once, which were 1,024 looks where they
+// came closer than a thousandth of its length. Elsewhere distances change by no more than what is gone, in the world; what is none is asked for its interval over the next part of the ray, which is
 // shortened until that does not hold 0.
-fn shape_sight(shape: Shape, value: f32, p: vec3f, ray: vec3f, reach: f32) -> Sight {
+fn shape_sight(shape: Shape, value: f32, slope: f32, p: vec3f, ray: vec3f, reach: f32) -> Sight {
+  if (is_convex(shape.kind) && value <= 0.0) {
+    return Sight(min(select(MOST, -value / slope, slope > 0.0), reach), 1.0, reach);
+  }
   if (is_distance(shape.kind)) {
     return Sight(min(abs(value), reach), 1.0, reach);
   }

@@ -14,9 +14,9 @@ export interface GroupAt {
 export function partsWith({ parts }: Document, ids: readonly string[]): readonly Part[] {
   if (ids.length === 0) return [];
   const chosen = new Set(ids);
-  return parts.filter(
-    (part) => chosen.has(part.id) || (isSolid(part) && groupsIn(part).some((at) => isIn(at, chosen))),
-  );
+  const isIn = ({ components }: SolidPart) =>
+    components.some(({ id, groups }) => chosen.has(id) || groups.some((group) => chosen.has(group.id)));
+  return parts.filter((part) => chosen.has(part.id) || (isSolid(part) && isIn(part)));
 }
 
 /** All groups that are chosen, by themselves or with what they are in. */

@@ -11,7 +11,7 @@ import type { View } from '../stroke/stroke.ts';
 import { shapeOf } from './build.ts';
 import { groupsIn, partsWith } from './chosen.ts';
 import type { Mirror } from './command/mirrorParts.ts';
-import { type Document, isSolid, type Part, type SolidPart } from './document.ts';
+import { type Document, isImplicit, isSolid, type Part, type SolidPart } from './document.ts';
 import { boxOfGroup, boxOfMesh, middleOfParts, seenParts } from './extent.ts';
 import type { Group } from './solid.ts';
 
@@ -23,11 +23,30 @@ export interface MirrorAt extends Mirror {
 /** of the width across the mirror: what is nearer to it lies in the middle */
 const MIDDLE = 0.25;
 
+interface Known {
+  readonly ids: readonly string[];
+  readonly normal: Vec3;
+  readonly mirror: MirrorAt | null;
+}
+
+/** Of the last selection: whoever turns the view asks again and again. */
+const known = new WeakMap<Document, Known>();
+
 /** Null where nothing of it can be seen. */
 export function mirrorOf(document: Document, ids: readonly string[], view: View): MirrorAt | null {
+  const normal = nearestAxis(rotate3(view.rotation, [1, 0, 0]));
+  const last = known.get(document);
+  if (last?.ids === ids && last.normal === normal) return last.mirror;
+  const mirror = found(document, ids, normal);
+  // bodies that are not made yet are nowhere now
+  if (document.parts.every((part) => !isImplicit(part) || shapeOf(part)))
+    known.set(document, { ids, normal, mirror });
+  return mirror;
+}
+
+function found(document: Document, ids: readonly string[], normal: Vec3): MirrorAt | null {
   const own = middleOfParts(seenParts(document, ids));
   if (!own) return null;
-  const normal = nearestAxis(rotate3(view.rotation, [1, 0, 0]));
   const all = thingsOf(document, ids);
   const others = all.filter(({ isChosen }) => !isChosen);
   const largest = others.reduce<Thing | null>((a, b) => (a && size(a) >= size(b) ? a : b), null);
@@ -52,9 +71,9 @@ interface Thing {
 
 /** What is compared: the groups of the one solid that all is in, or else parts. */
 function thingsOf(document: Document, ids: readonly string[]): readonly Thing[] {
-  const parts = partsWith(document, ids);
+  const parts = new Set(partsWith(document, ids));
   const [only] = parts;
-  if (parts.length === 1 && only && isSolid(only) && !ids.includes(only.id))
+  if (parts.size === 1 && only && isSolid(only) && !ids.includes(only.id))
     return groupsIn(only)
       .filter(({ group }) => !group.hidden)
       .map(({ group, component }) => ({
@@ -66,7 +85,7 @@ function thingsOf(document: Document, ids: readonly string[]): readonly Thing[] 
     .filter(({ hidden }) => !hidden)
     .flatMap((part) => {
       const corners = cornersOf(part);
-      return corners.length > 0 ? [{ name: part.name, isChosen: parts.includes(part), corners }] : [];
+      return corners.length > 0 ? [{ name: part.name, isChosen: parts.has(part), corners }] : [];
     });
 }
 
@@ -97,8 +116,11 @@ function span(points: readonly Vec3[], along: Vec3): number {
   return points.length > 0 ? Math.max(...at) - Math.min(...at) : 0;
 }
 
-function nearestAxis(v: Vec3): Vec3 {
-  const [x, y, z] = v.map(Math.abs) as unknown as Vec3;
-  if (x >= y && x >= z) return [1, 0, 0];
-  return y >= z ? [0, 1, 0] : [0, 0, 1];
-}
+const AXES: readonly Vec3[] = [
+  [1, 0, 0],
+  [0, 1, 0],
+  [0, 0, 1],
+];
+
+const nearestAxis = (v: Vec3): Vec3 =>
+  AXES.reduce((best, axis) => (Math.abs(dot3(v, axis)) > Math.abs(dot3(v, best)) ? axis : best));

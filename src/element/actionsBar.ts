@@ -16,7 +16,8 @@ import {
 } from './partDeeds.ts';
 import { isHidden } from './partRows.ts';
 import type { Session } from './session.ts';
-import { PART_WORDS, SOLID_WORDS } from './words.ts';
+import { isSkeletonOn, selectedSkeleton, toggleSkeleton } from './skeletonEdit.ts';
+import { PART_WORDS, SKELETON_WORDS, SOLID_WORDS } from './words.ts';
 
 const { action } = PART_WORDS;
 
@@ -30,10 +31,11 @@ export function actionsBar(session: Session, actions: Actions): TemplateResult |
       expanded: actions.open === 'palette',
       body: html`<span class="swatch">${ball('toon', chosenColour(session) ?? CLAY)}</span>`,
     })}
-    ${iconButton(hidden ? 'eye' : 'eyeOff', hidden ? action.show : action.hide, () => hideSelection(session), { key: 'H' })}
-    ${hidden ? nothing : iconButton('focus', action.focus, () => session.focus(partsWith(document, selection).map(({ id }) => id)))}
+    ${iconButton(hidden ? 'eye' : 'eyeOff', hidden ? action.show : action.hide, () => hideSelection(session), { key: 'H', class: 'elsewhere least' })}
+    ${hidden ? nothing : iconButton('focus', action.focus, () => session.focus(partsWith(document, selection).map(({ id }) => id)), { class: 'elsewhere' })}
     ${iconButton('duplicate', action.duplicate, () => duplicateSelection(session), { shortcut: 'Control+D' })}
     ${hidden ? nothing : mirrors(session)}
+    ${selectedSkeleton(session) ? iconButton('skeleton', SKELETON_WORDS.show, () => toggleSkeleton(session), { key: 'K', pressed: isSkeletonOn(session) }) : nothing}
     <span class="separator"></span>
     ${iconButton('trash', action.remove, () => removeSelection(session), { class: 'danger', shortcut: 'Delete' })}
   </div>`;

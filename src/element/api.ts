@@ -12,7 +12,7 @@ import { checkDrawing, FileError, parse, serialize, serializeScript } from '../d
 import { nodeOf } from '../document/solidNode.ts';
 import type { Format, OutFile } from '../export/index.ts';
 import type { Comparison } from '../field/zhuImage.ts';
-import type { Scene } from '../scene/index.ts';
+import type { PictureOptions, Scene } from '../scene/index.ts';
 import type { Stroke } from '../stroke/stroke.ts';
 import { Arrival } from './arrival.ts';
 import { checkedCommands, checkedIds } from './check.ts';
@@ -312,8 +312,9 @@ export abstract class SketchApi extends LitElement {
     const height = Math.round(this.clientHeight * devicePixelRatio);
     const options = pictureOptions(shot, { document, view, look, width, height, fit: frames.fit });
     const isExact = options.look.mode === 'exact';
-    const images = isExact ? await exact.images(shownBodies(document), options.view, options) : [];
-    return pngOf(await scene.picture({ ...options, images }));
+    const bodies = isExact ? shownBodies(document) : [];
+    const draw = (images: NonNullable<PictureOptions['images']>) => scene.picture({ ...options, images });
+    return pngOf(await exact.picture(bodies, options.view, options, draw));
   }
 
   /**

@@ -24,6 +24,8 @@ export interface CastImages {
   readonly whole: number;
   /** rows of the first that are there, from … to …, 0–1 from the top */
   readonly known: readonly [from: number, to: number];
+  /** rows of all that nobody could cast, all between the first and the last of these, in the same way: triangles are seen there */
+  readonly lost?: readonly [from: number, to: number] | null;
   /** 0–1 of what is being done until the first is whole */
   readonly share: number;
   /** of the first image, in values of one skel; null until it is whole */
@@ -32,13 +34,15 @@ export interface CastImages {
   readonly milliseconds: number;
   /** The first, 0, is through the middle of the pixels, and there in part before it is whole. */
   image(number: number): SurfaceImage;
+  /** Nobody asks for images any more: what they lie on is given back. */
+  drop?(): void;
 }
 
 export interface CastListener {
   /** there is more */
   changed(): void;
-  /** there will be nothing more, in words */
-  refused(why: string): void;
+  /** there will be nothing more, in words; `trees`: whose fault that is, where it is known, and will be the next time, too */
+  refused(why: string, trees?: readonly FieldNode[]): void;
 }
 
 export interface Caster {

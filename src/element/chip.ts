@@ -68,6 +68,7 @@ export function chip(session: Session, actions: Actions): TemplateResult | typeo
     actions.dismiss();
   };
   return html`<div class="chip card chrome ${narrow ? 'narrow' : ''}" part="chip" role="group" aria-label=${previewWords(document)} style="left:${x}px;top:${y}px">
+    <div class="main">
     ${iconButton(null, 'Colour', () => actions.toggle('palette'), {
       expanded: actions.open === 'palette',
       body: html`<span class="swatch">${ball('toon', brush.colour)}</span>`,
@@ -78,6 +79,7 @@ export function chip(session: Session, actions: Actions): TemplateResult | typeo
     ${forms(session)}
     <button class="b quiet text" aria-label="Drop" aria-keyshortcuts="Escape" @click=${done(() => session.drop())}>${icon('x', 20)}<span class="word">Drop</span></button>
     ${problem ? wayOn(session, done) : html`<button class="b primary text" aria-keyshortcuts="N Enter" @click=${done(() => session.keep())}>${icon('check', 20)}Keep</button>`}
+    </div>
     ${joins(session)}
   </div>`;
 }

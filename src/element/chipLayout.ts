@@ -2,12 +2,13 @@
 import { css } from 'lit';
 
 export const chipLayout = css`
-  .chip { flex-wrap: wrap; width: max-content; }
+  .chip { flex-direction: column; align-items: stretch; width: max-content; }
+  .chip .main { display: flex; align-items: center; gap: 0.25rem; }
   .chip .forms, .chip .joins { display: flex; gap: 0.125rem; }
-  .chip .forms .b, .chip .joins .b { color: var(--ink); font-weight: 600; padding: 0 0.75rem 0 0.5rem; gap: 0.375rem; }
-  .chip .forms .b.on, .chip .joins .b.on { color: var(--pencil); background: var(--pencil-soft); }
+  .chip :is(.forms, .joins) .b { color: var(--ink); font-weight: 600; padding: 0 0.75rem 0 0.5rem; gap: 0.375rem; }
+  .chip :is(.forms, .joins) .b.on { color: var(--pencil); background: var(--pencil-soft); }
   .chip .forms { padding-right: 0.375rem; margin-right: 0.25rem; border-right: 1px solid var(--hairline); }
-  .chip .joins { flex-basis: 100%; justify-content: center; border-top: 1px solid var(--hairline); padding-top: 0.25rem; }
+  .chip .joins { justify-content: center; border-top: 1px solid var(--hairline); padding-top: 0.25rem; }
   .meter .short { display: none; }
 
   @container (max-width: 1099px) {
@@ -15,20 +16,30 @@ export const chipLayout = css`
     .chip .forms .word { display: none; }
   }
   .chip.narrow { max-width: 19rem; }
-  .chip.narrow .forms { border: 0; margin: 0; padding: 0; }
-  .chip.narrow :is(.forms, .joins) .b { padding: 0; }
+  .chip.narrow .main { flex-wrap: wrap; }
+  .chip.narrow .main > .text { flex: 1; }
+  .chip.narrow .main > .text .word { display: inline; }
+  .chip.narrow .forms { border: 0; margin: 0; padding: 0; flex: 1; justify-content: space-around; }
+  .chip.narrow .forms .b { padding: 0; }
   .chip.narrow .forms .word { display: none; }
   .chip.narrow .joins .b { padding: 0 0.5rem; }
   .chip.narrow .joins .word { display: inline; }
 
   @container (max-width: 699px) {
     .chip, .chip.narrow { width: auto; max-width: none; }
-    .chip .forms, .chip.narrow .forms { order: 1; flex-basis: 100%; justify-content: space-around; border: 0; border-top: 1px solid var(--hairline); margin: 0; padding: 0.25rem 0 0; }
+    .chip .main { flex-wrap: wrap; }
+    .chip.narrow .main > .text { flex: none; }
+    .chip.narrow .main > .text .word { display: none; }
+    .chip .forms, .chip.narrow .forms { order: 1; flex: none; width: 100%; justify-content: space-around; border: 0; border-top: 1px solid var(--hairline); margin: 0; padding: 0.25rem 0 0; }
     .chip .forms .b, .chip.narrow .forms .b { flex: 1; max-width: 4.5rem; }
-    .chip .joins { order: 2; justify-content: space-around; }
     .chip .joins .b { flex: 1; padding: 0 0.5rem; }
-    .chip .joins .word, .chip.narrow .joins .word { display: inline; }
+    .chip .joins .word { display: inline; }
     .meter .long { display: none; }
     .meter .short { display: inline; }
+  }
+  @container (max-width: 359px) {
+    .meter button { padding: 0 0.5rem; gap: 0.375rem; }
+    .chip .what { padding-right: 0; }
+    .chip .main > .text { padding: 0 0.75rem; }
   }
 `;

@@ -13,6 +13,9 @@ import { besideOf, removeSelection } from './partDeeds.ts';
 import type { Session } from './session.ts';
 import { SOLID_WORDS } from './words.ts';
 
+/** What the text is known by. */
+const START = '{"type":"paste"';
+
 let kept = '';
 
 /** Chosen groups are a solid of their own, made as theirs was. */
@@ -39,7 +42,7 @@ export const textOf = (document: Document, ids: readonly string[]): string =>
 
 /** Whole parts, checked as files are; null: the text is none of ours. FileError where it is broken. */
 export function partsIn(text: string): readonly Part[] | null {
-  if (!text.startsWith('{"type":"paste"')) return null;
+  if (!text.startsWith(START)) return null;
   const command = checkCommand(readJson(text, 'clipboard'));
   return command.type === 'paste' ? command.parts : null;
 }
@@ -51,6 +54,19 @@ export function clipboard(event: ClipboardEvent, session: Session): void {
     event.preventDefault();
     pasteText(session, event.clipboardData?.getData('text/plain') || kept);
   } else copy(event, session);
+}
+
+/** For those who have no keys: the page's own clipboard, and the system's where it lets us. */
+export function copySelection(session: Session): void {
+  const { selection, document } = session;
+  kept = textOf(document, selection);
+  void navigator.clipboard?.writeText(kept).catch(() => {});
+  say(session, SOLID_WORDS.copied(nameOf(document, selection)));
+}
+
+export async function pasteHere(session: Session): Promise<void> {
+  const text = await navigator.clipboard?.readText().catch(() => '');
+  pasteText(session, text?.startsWith(START) ? text : kept);
 }
 
 /** Nothing selected, nothing copied. */

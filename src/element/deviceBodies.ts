@@ -1,10 +1,22 @@
 /** Bodies on the graphics device, ready for rays: kept by their trees, so that another view or place of them brings nothing up. */
 import { bindField } from '../field/bind.ts';
+import type { FieldNode } from '../field/node.ts';
 import { latticed } from '../field/polygonize.ts';
 import type { DeviceBody } from '../gpu/raycast/body.ts';
 import type { GpuRaycaster, PlacedBody } from '../gpu/raycast/raycaster.ts';
 import type { ShownBody } from './caster.ts';
+import { messageOf } from './events.ts';
 import { keyOf } from './rayWorker.ts';
+
+/** Bodies that the device does not take. */
+export class TreesRefused extends Error {
+  readonly trees: readonly FieldNode[];
+
+  constructor(why: string, trees: readonly FieldNode[]) {
+    super(why);
+    this.trees = trees;
+  }
+}
 
 /** bytes that are kept beyond those of the picture */
 const MOST_BYTES = 1 << 27;
@@ -82,7 +94,9 @@ export class DeviceBodies {
     const { node, cells } = shown;
     const lattice = await inSlices(latticed(bindField(node), cells), wanted);
     if (!lattice || this.#isGone) return null;
-    const body = await this.#raycaster.body(node, lattice.lattice);
+    const body = await this.#raycaster.body(node, lattice.lattice).catch((error: unknown) => {
+      throw new TreesRefused(messageOf(error), [node]);
+    });
     if (this.#isGone) {
       body.destroy();
       return null;

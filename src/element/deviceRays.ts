@@ -3,29 +3,32 @@
  * scene's own textures. Bands of rows that take the device no longer than a part of a frame follow each other, each after the one
  * before is done, so that frames in between are not late and nothing more is cast of what nobody waits for. Rays through other places of the
  * pixels are cast for all of them: finding edges would take a device longer than four more rays.
+ *
+ * A ray that was given up is a hole in the picture: how many there were is read back with each image, and where there was one the whole picture is
+ * left to who knows no limit; which pixels they were no image says.
  */
-import { OFFSETS } from '../field/rayEdges.ts';
+import type { FieldNode } from '../field/node.ts';
 import type { RayCamera } from '../field/rayImage.ts';
-import { type GpuRaycaster, gpuRaycaster } from '../gpu/raycast/raycaster.ts';
+import {
+  type DeviceImage,
+  type GpuRaycaster,
+  gpuRaycaster,
+  type PlacedBody,
+} from '../gpu/raycast/raycaster.ts';
 import { taken } from '../gpu/taken.ts';
 import type { Scene, SurfaceImage } from '../scene/index.ts';
 import { TEST, WITH_GRADIENT } from '../skeleton/work.ts';
 import type { View } from '../stroke/stroke.ts';
-import { type Caster, type CastImages, type CastListener, MOST_RAYS, type ShownBody } from './caster.ts';
-import { DeviceBodies } from './deviceBodies.ts';
-import { DeviceImages, Slot } from './deviceImages.ts';
+import type { Caster, CastImages, CastListener, ShownBody } from './caster.ts';
+import { blamed } from './deviceBlame.ts';
+import { DeviceBodies, TreesRefused } from './deviceBodies.ts';
+import { DeviceImages } from './deviceImages.ts';
+import { DeviceLive } from './deviceLive.ts';
 import { messageOf } from './events.ts';
-import { Pace } from './pace.ts';
+import { Pace, SPARSE } from './pace.ts';
 
 /** ms of rays between two frames */
 const BAND = 8;
-/** pixels along a side for a ray where something moves: what still looks like the surface */
-const COARSER = [1, 2, 4] as const;
-/** ms until an image that nobody draws makes room for the next */
-const UNSEEN = 100;
-/** rays a pixel: what the next picture or band has at least, though the last one was paper */
-const SPARSE = 0.25;
-const MIDDLE = [0.5, 0.5] as const;
 
 interface Casting {
   readonly images: DeviceImages;
@@ -40,31 +43,37 @@ interface Ready {
 
 export class DeviceRays implements Caster {
   readonly #device: GPUDevice;
-  readonly #slots = [new Slot(), new Slot()] as const;
-  readonly #live = new Slot();
+  readonly #told: (why: string) => void;
+  readonly #load: typeof gpuRaycaster;
   readonly #pace = new Pace();
+  readonly #live: DeviceLive;
   #loading: Promise<Ready> | null = null;
   #ready: Ready | null = null;
   /** null: nothing is wanted, or all of it is there */
   #casting: Casting | null = null;
-  /** the same of the last band */
+  /** rays a pixel of the last band: bodies do not fill it, or cover each other */
   #density = 1;
-  /** rays a pixel of the last live image: bodies do not fill it, or cover each other */
-  #share = 1;
-  /** a live image is being timed */
-  #isTimed = false;
   #isGone = false;
+  #hasTold = false;
+  /** rays of a picture that no body was to blame for: as many are too many */
+  #tooMany = Infinity;
 
-  constructor(device: GPUDevice) {
+  /** `told`: once, why the device casts less than it was asked for. */
+  constructor(device: GPUDevice, told: (why: string) => void = () => {}, load = gpuRaycaster) {
     this.#device = device;
+    this.#told = told;
+    this.#load = load;
+    this.#live = new DeviceLive(device, this.#pace, (why) => this.#tell(why));
   }
 
   cast(bodies: readonly ShownBody[], camera: RayCamera, listener: CastListener): CastImages {
     const ids = bodies.map(({ id }) => id);
-    const casting = { images: new DeviceImages(camera, ids, this.#slots), listener };
+    const casting = { images: new DeviceImages(camera, ids), listener };
     this.#casting = casting;
     void this.#run(casting, bodies, camera).catch((error: unknown) => {
-      if (this.#casting === casting) this.#refuse(messageOf(error));
+      if (this.#casting !== casting) return;
+      this.#refuse(messageOf(error), error instanceof TreesRefused ? error.trees : []);
+      this.#tell(messageOf(error));
     });
     return casting.images;
   }
@@ -76,20 +85,9 @@ export class DeviceRays implements Caster {
     milliseconds: number,
   ): SurfaceImage | null {
     const placed = this.#ready?.bodies.known(bodies);
-    const takes =
-      this.#pace.milliseconds(Math.max(this.#share, SPARSE) * pixels.width * pixels.height) ?? Infinity;
-    const fits = (side: number) => pixels.width * pixels.height <= MOST_RAYS * side * side;
-    const coarser = COARSER.find((side) => takes <= milliseconds * side * side && fits(side));
-    if (!placed || coarser === undefined || !this.#ready) return null;
-    const { raycaster } = this.#ready;
-    const side = (length: number) => Math.max(1, Math.round(length / coarser));
-    const camera = { view, width: side(pixels.width), height: side(pixels.height), offset: MIDDLE };
-    // each is another's: all of it is cast
-    const { surface, colours, stride } = this.#live.image(raycaster, {}, 0, camera);
-    const rays = this.#live.go(raycaster, placed, camera, camera.height);
-    this.#share = rays / (camera.width * camera.height);
-    this.#time(rays);
-    return { camera, items: bodies.map(({ id }) => id), surface, colours, stride };
+    if (!placed || !this.#ready) return null;
+    const items = bodies.map(({ id }) => id);
+    return this.#live.image(this.#ready.raycaster, { bodies: placed, items, view, pixels }, milliseconds);
   }
 
   /** Bodies are kept. */
@@ -97,9 +95,9 @@ export class DeviceRays implements Caster {
     this.#casting = null;
   }
 
-  /** Images go, which are cast once more where they are asked for. */
+  /** Pictures that somebody looks at stay. */
   idle(): void {
-    for (const slot of [...this.#slots, this.#live]) slot.destroy();
+    this.#live.idle();
   }
 
   end(): void {
@@ -118,7 +116,8 @@ export class DeviceRays implements Caster {
   async #run(casting: Casting, shown: readonly ShownBody[], camera: RayCamera): Promise<void> {
     const { images, listener } = casting;
     const wanted = () => this.#casting === casting;
-    const { raycaster, bodies } = await this.#load();
+    if (camera.width * camera.height >= this.#tooMany) throw new Error('as many rays were refused before');
+    const { raycaster, bodies } = await this.#loaded();
     const placed = await bodies.ready(shown, wanted, (share) => {
       images.share = share;
       listener.changed();
@@ -126,51 +125,67 @@ export class DeviceRays implements Caster {
     if (!wanted()) return;
     if (!placed) throw new Error('its bodies are gone');
     const start = performance.now();
-    images.cast = { raycaster, bodies: placed };
     for (let number = 0; number < images.whole; number++) {
-      if (!(await this.#whole(casting, number))) return;
+      const image = await this.#whole(casting, number, raycaster, placed).catch(async (error: unknown) => {
+        images.drop();
+        const isBlamed = await blamed(this.#device, raycaster, placed, camera);
+        const trees = shown.filter((_, i) => isBlamed[i]).map(({ node }) => node);
+        if (trees.length === 0) this.#tooMany = Math.min(this.#tooMany, camera.width * camera.height);
+        throw new TreesRefused(messageOf(error), trees);
+      });
+      if (!image) return;
+      const { terms, lost } = await image.work();
+      if (!wanted()) return;
+      if (lost > 0) {
+        this.#refuse(`${lost} rays were given up`);
+        return;
+      }
       if (number === 0) {
         images.milliseconds = performance.now() - start;
-        const { terms } = await images.begun(0).work();
-        if (!wanted()) return;
         images.evaluationsAPixel = ((WITH_GRADIENT + TEST) * terms) / (camera.width * camera.height);
       }
       images.count = number + 1;
       listener.changed();
-      if (number > 0 && number < OFFSETS.length) await images.asked(number, UNSEEN);
     }
     if (wanted()) this.#casting = null;
   }
 
-  /** All rows of an image, band by band; false when it was given up. */
-  async #whole(casting: Casting, number: number): Promise<boolean> {
+  /** All rows of an image, band by band; null when it was given up. */
+  async #whole(
+    casting: Casting,
+    number: number,
+    raycaster: GpuRaycaster,
+    bodies: readonly PlacedBody[],
+  ): Promise<DeviceImage | null> {
     const { images, listener } = casting;
     const camera = images.camera(number);
-    const slot = images.slot(number);
-    for (;;) {
-      const { cast } = images;
-      if (this.#casting !== casting || !cast) return false;
-      // another image may have taken the room in between: then this one begins anew
-      const { height } = images.begun(number);
-      if (slot.rowsOf(images, number) >= height) return true;
-      const rows = Math.ceil(this.#pace.rays(BAND) / (camera.width * Math.max(this.#density, SPARSE)));
-      const before = slot.rowsOf(images, number);
+    const { width, height } = camera;
+    if (this.#casting !== casting) return null;
+    const asked = performance.now();
+    const image = await taken(this.#device, 'an image', () => images.begin(raycaster));
+    await this.#device.queue.onSubmittedWorkDone();
+    this.#pace.answered(performance.now() - asked);
+    for (let row = 0; row < height; ) {
+      if (this.#casting !== casting) return null;
+      const rows = Math.ceil(this.#pace.rays(BAND) / (width * Math.max(this.#density, SPARSE)));
+      const end = Math.min(row + rows, height);
       const start = performance.now();
-      const rays = await taken(this.#device, 'rays', () =>
-        slot.go(cast.raycaster, cast.bodies, camera, rows),
-      );
+      const rays = await taken(this.#device, 'rays', () => raycaster.cast(image, bodies, camera, row, end));
       await this.#device.queue.onSubmittedWorkDone();
       this.#pace.hear(rays, performance.now() - start);
-      this.#density = rays / (camera.width * Math.min(rows, height - before));
-      if (this.#casting === casting && number === 0) {
-        images.share = images.known[1];
-        listener.changed();
-      }
+      this.#density = rays / (width * (end - row));
+      row = end;
+      if (this.#casting !== casting) return null;
+      if (number > 0) continue;
+      images.rows = row;
+      images.share = images.known[1];
+      listener.changed();
     }
+    return image;
   }
 
-  #load(): Promise<Ready> {
-    this.#loading ??= gpuRaycaster(this.#device).then((raycaster) => {
+  #loaded(): Promise<Ready> {
+    this.#loading ??= this.#load(this.#device).then((raycaster) => {
       const ready = { raycaster, bodies: new DeviceBodies(raycaster) };
       if (!this.#isGone) this.#ready = ready;
       return ready;
@@ -178,22 +193,17 @@ export class DeviceRays implements Caster {
     return this.#loading;
   }
 
-  #time(rays: number): void {
-    if (this.#isTimed) return;
-    this.#isTimed = true;
-    const start = performance.now();
-    const done = () => {
-      this.#isTimed = false;
-    };
-    void this.#device.queue.onSubmittedWorkDone().then(() => {
-      this.#pace.hear(rays, performance.now() - start);
-      done();
-    }, done);
+  #tell(why: string): void {
+    if (this.#hasTold || this.#isGone) return;
+    this.#hasTold = true;
+    // devices go on with where in their own code it was
+    this.#told(why.split('\n', 1)[0]!.trim());
   }
 
-  #refuse(why: string): void {
+  #refuse(why: string, trees: readonly FieldNode[] = []): void {
     const casting = this.#casting;
     this.#casting = null;
-    casting?.listener.refused(why);
+    casting?.images.drop();
+    casting?.listener.refused(why, trees);
   }
 }

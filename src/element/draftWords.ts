@@ -39,7 +39,9 @@ export function previewWords(document: Document): string {
   if (kind && kind !== 'solid') return WORDS.preview(kind);
   const joined = joinedOf(document)?.name ?? null;
   if (joined && document.draft?.carves) return SILHOUETTE_WORDS.carving(joined);
-  return SILHOUETTE_WORDS.preview(longName(document), joined);
+  const { joins, sitsOn } = SILHOUETTE_WORDS.previewOf;
+  if (joined) return (document.draft?.joins?.component ? joins : sitsOn)(longName(document), joined);
+  return SILHOUETTE_WORDS.preview(longName(document));
 }
 
 /** When it was kept: `document` is the one before. */

@@ -29,7 +29,7 @@ const ENOUGH = 3;
  */
 const PART = 0.3;
 const PAUSE = 1500;
-/** ms without a wish until workers end: bricks are worth keeping while somebody goes back and forth */
+/** ms without a wish until workers end and images go: bricks are worth keeping while somebody goes back and forth */
 const IDLE = 20_000;
 
 const MIDDLE = [0.5, 0.5] as const;
@@ -52,7 +52,7 @@ export class Exact {
   readonly #changed: () => void;
   readonly #caster: Caster;
   #images: CastImages | null = null;
-  /** what the images are of, and what is drawn of them */
+  /** what the images are of, and what is drawn of them; '': nothing is wanted */
   #cast = '';
   #drawn = '';
   /** images that are drawn */
@@ -65,6 +65,8 @@ export class Exact {
   #rested = false;
   /** a picture is made: the screen waits */
   #isBusy = false;
+  /** of that picture, which may be those of the screen */
+  #lent: CastImages | null = null;
   /** ends with the pictures before */
   #turn: Promise<unknown> = Promise.resolve();
 
@@ -77,16 +79,11 @@ export class Exact {
   /** Draws the frame, or leaves it as it is; false: it is to be drawn with meshes. */
   frame(seen: Seen): boolean {
     const { scene, bodies, view, version } = seen;
-    if (bodies.length === 0 || this.#isBusy) {
-      this.rest();
-      return false;
-    }
+    if (bodies.length === 0) this.rest();
+    if (bodies.length === 0 || this.#isBusy) return false;
     this.#keep();
     const camera = cameraOf(view, scene.pixels);
-    const cast = JSON.stringify([
-      camera,
-      bodies.map(({ node, placement, cells }) => [keyOf(node), placement, cells]),
-    ]);
+    const cast = nameOf(bodies, camera);
     const drawn = `${version} ${cast}`;
     if (drawn !== this.#drawn) {
       if (cast !== this.#cast) this.#giveUp();
@@ -105,37 +102,51 @@ export class Exact {
   /** Draws a frame of something that moves by rays as well, where they are fast enough; false: it is to be drawn with meshes. */
   live({ scene, bodies, view }: Omit<Seen, 'version'>): boolean {
     if (bodies.length === 0 || this.#isBusy || this.problem !== null) return false;
-    const image = this.#caster.live?.(bodies, view, scene.pixels, LIVE);
+    // only the style is another, or the selection
+    const isSame = this.#isKept && nameOf(bodies, cameraOf(view, scene.pixels)) === this.#cast;
+    const image = isSame ? this.#images!.image(0) : this.#caster.live?.(bodies, view, scene.pixels, LIVE);
+    // what moves for long is wanted as long
+    if (image) this.#letGo();
     return image ? scene.refine(image, { alone: true }) : false;
   }
 
-  /** Nothing is wanted. */
+  /** Nothing is wanted for now: images that are whole are kept for when the same is wanted again. */
   rest(): void {
-    if (this.#cast === '' && !this.#images) return;
+    if (this.#drawn === '') return;
+    if (!this.#isKept) this.drop();
+    this.#leave();
+    this.#letGo();
+  }
+
+  /** Nothing is wanted, and nothing kept: images may lie on a device that goes. */
+  drop(): void {
     this.#giveUp();
     this.#cast = '';
-    this.#drawn = '';
-    clearTimeout(this.#timer);
-    this.#rested = false;
-    this.#letGo();
+    this.#leave();
   }
 
   /** Nobody is there to see them. */
   stop(): void {
-    this.rest();
+    this.drop();
     this.#keep();
     this.#caster.end();
   }
 
-  /** 0–1 of what is being done; null: nothing is. */
+  /** 0–1 of what is there until the first image is seen; null: it is, or none is wanted, or there is none. */
   get share(): number | null {
+    if (this.#drawn === '' || this.#count > 0 || this.problem !== null) return null;
     const images = this.#images;
-    return images && images.count === 0 && this.problem === null ? images.share : null;
+    return images ? (images.count > 0 ? 1 : images.share) : 0;
   }
 
   /** Of the image that is seen, in values of one skel; null: none is. */
   get evaluationsAPixel(): number | null {
     return this.#count > 0 ? (this.#images?.evaluationsAPixel ?? null) : null;
+  }
+
+  /** Some rows of what is seen, or will be, are triangles: nobody could cast them. */
+  get isInPart(): boolean {
+    return (this.#images?.lost ?? null) !== null && this.problem === null;
   }
 
   /** ms that the first image took */
@@ -148,31 +159,49 @@ export class Exact {
     return this.problem !== null || this.#count === this.#images?.whole;
   }
 
-  /** For a picture of its own; what is on the screen waits. Rejects where there are none. */
-  async images(bodies: readonly ShownBody[], view: View, pixels: Scene['pixels']): Promise<Images> {
-    if (bodies.length === 0) return [];
-    const turn = this.#turn.then(() => this.#whole(bodies, cameraOf(view, pixels)));
+  /** Has a picture of its own drawn with images that are there as long as that takes; what is on the screen waits. Rejects where there are none. */
+  async picture<T>(
+    bodies: readonly ShownBody[],
+    view: View,
+    pixels: Scene['pixels'],
+    draw: (images: Images) => Promise<T>,
+  ): Promise<T> {
+    if (bodies.length === 0) return draw([]);
+    const turn = this.#turn.then(() => this.#whole(bodies, cameraOf(view, pixels), draw));
     this.#turn = turn.catch(() => {});
     return turn;
   }
 
-  async #whole(bodies: readonly ShownBody[], camera: RayCamera): Promise<Images> {
-    this.#giveUp();
+  /** What is whole on the screen stays, and serves where it is the same. */
+  async #whole<T>(
+    bodies: readonly ShownBody[],
+    camera: RayCamera,
+    draw: (images: Images) => Promise<T>,
+  ): Promise<T> {
+    if (!this.#isKept) this.drop();
     this.#keep();
     this.#isBusy = true;
     try {
-      const images = await new Promise<CastImages>((resolve, reject) => {
-        const casting = this.#caster.cast(bodies, camera, {
-          changed: () => casting.count === casting.whole && resolve(casting),
-          refused: (why) => reject(new Error(why)),
-        });
-      });
-      return Array.from({ length: images.whole }, (_, i) => () => images.image(i));
+      const kept = nameOf(bodies, camera) === this.#cast ? this.#images : null;
+      const images = kept ?? (await this.#allOf(bodies, camera));
+      this.#lent = images;
+      return await draw(Array.from({ length: images.whole }, (_, i) => () => images.image(i)));
     } finally {
+      if (this.#lent !== this.#images) this.#lent?.drop?.();
+      this.#lent = null;
       this.#isBusy = false;
       this.#letGo();
       this.#changed();
     }
+  }
+
+  #allOf(bodies: readonly ShownBody[], camera: RayCamera): Promise<CastImages> {
+    return new Promise((resolve, reject) => {
+      const casting = this.#caster.cast(bodies, camera, {
+        changed: () => casting.count === casting.whole && resolve(casting),
+        refused: (why) => reject(new Error(why)),
+      });
+    });
   }
 
   #keep(): void {
@@ -182,11 +211,29 @@ export class Exact {
   #letGo(): void {
     if (this.#isBusy) return;
     this.#keep();
-    this.#idle = setTimeout(() => this.#caster.idle?.(), IDLE);
+    this.#idle = setTimeout(() => {
+      if (this.#drawn === '') this.drop();
+      this.#caster.idle?.();
+    }, IDLE);
+  }
+
+  #leave(): void {
+    this.#drawn = '';
+    this.#count = 0;
+    this.#rested = false;
+    clearTimeout(this.#timer);
+  }
+
+  /** All images are there. */
+  get #isKept(): boolean {
+    const images = this.#images;
+    return images !== null && images.count === images.whole && this.problem === null;
   }
 
   #giveUp(): void {
-    if (this.#images) this.#caster.stop();
+    // what is whole is nothing to stop: by now others may be cast
+    if (this.#images && !this.#isKept) this.#caster.stop();
+    if (this.#images !== this.#lent) this.#images?.drop?.();
     this.#images = null;
     this.#count = 0;
     this.problem = null;
@@ -229,8 +276,8 @@ export class Exact {
   #refine(scene: Scene): boolean {
     const images = this.#images;
     if (!images) return false;
-    // somebody drew another frame, or undid it
-    if (scene.refined !== this.#count) {
+    // somebody drew another frame, or undid it; or others took the picture over, and began anew
+    if (scene.refined !== this.#count || images.count < this.#count) {
       this.#wait();
       return false;
     }
@@ -248,6 +295,13 @@ export const shownBodies = (document: Document): readonly ShownBody[] =>
   bodiesOf(document)
     .filter(({ hidden }) => !hidden)
     .map(({ id, node, placement }) => ({ id, node, placement, cells: cellsMade(node) }));
+
+/** What rays are cast at, and from where: the same for the same images. */
+const nameOf = (bodies: readonly ShownBody[], camera: RayCamera): string =>
+  JSON.stringify([
+    camera,
+    bodies.map(({ id, node, placement, cells }) => [id, keyOf(node), placement, cells]),
+  ]);
 
 function cameraOf(view: View, { width, height }: Scene['pixels']): RayCamera {
   const shrunk = Math.min(1, Math.sqrt(MOST_RAYS / (width * height)));

@@ -8,7 +8,15 @@ import type { RayCamera } from '../field/rayImage.ts';
 import { emptyImage, type OwnImage } from '../field/rayScene.ts';
 import type { SurfaceImage } from '../scene/index.ts';
 import type { CastImages } from './caster.ts';
-import { BAND } from './rayJobs.ts';
+import { BAND, type Job } from './rayJobs.ts';
+
+/** of the time until the first image is there, the first time; later less */
+const LOCATING = 0.1;
+
+/** Of a band. */
+const [THERE, LOST] = [1, 2] as const;
+
+type LostAgain = Pick<Again, 'type' | 'offset' | 'first' | 'count'>;
 
 export class ExactImages implements CastImages {
   readonly whole = 1 + OFFSETS.length;
@@ -20,13 +28,15 @@ export class ExactImages implements CastImages {
   readonly #since = performance.now();
   #located = 0;
   #work = 0;
-  /** bands that are there, 1 */
+  /** bands: THERE, LOST or neither */
   readonly #there: Uint8Array;
+  /** from the first band that is lost to below the last */
+  #lost: readonly [from: number, to: number] | null = null;
   #missing: number;
   /** pixels at edges, in the order in which they were found */
   readonly #places: number[] = [];
   readonly #isEdge: Uint8Array;
-  readonly #agains: readonly Again[][] = OFFSETS.map(() => []);
+  readonly #agains: readonly (Again | LostAgain)[][] = OFFSETS.map(() => []);
 
   constructor(camera: RayCamera, items: readonly string[]) {
     const { width, height } = camera;
@@ -57,6 +67,18 @@ export class ExactImages implements CastImages {
     else this.#agains[said.offset]!.push(said);
   }
 
+  /** Nobody will do it. */
+  lose(job: Job): void {
+    if (job.type === 'again') {
+      this.#agains[job.offset]!.push(job);
+      return;
+    }
+    const band = Math.floor(job.from / BAND);
+    const [from, to] = this.#lost ?? [band, band + 1];
+    this.#lost = [Math.min(from, band), Math.max(to, band + 1)];
+    this.#done(band, LOST);
+  }
+
   get count(): number {
     if (this.#missing > 0) return 0;
     const missing = this.#agains.findIndex((agains) => sumOf(agains) < this.#places.length);
@@ -69,40 +91,68 @@ export class ExactImages implements CastImages {
 
   /** Bodies are looked for, then rows cast. */
   get share(): number {
-    const bands = this.#there.length;
-    return this.#missing === bands ? this.#located : 1 - this.#missing / bands;
+    return LOCATING * this.#located + (1 - LOCATING) * (1 - this.#missing / this.#there.length);
   }
 
   get known(): readonly [from: number, to: number] {
     const bands = this.#there.length;
     let [from, to] = [Math.floor(bands / 2), Math.floor(bands / 2)];
-    while (from > 0 && this.#there[from - 1] === 1) from--;
-    while (to < bands && this.#there[to] === 1) to++;
-    const share = (band: number) => Math.min((band * BAND) / this.#camera.height, 1);
-    return [share(from), share(to)];
+    while (from > 0 && this.#there[from - 1] !== 0) from--;
+    while (to < bands && this.#there[to] !== 0) to++;
+    return [this.#height(from), this.#height(to)];
+  }
+
+  /** There is nothing of it, and will be nothing. */
+  get isLost(): boolean {
+    return this.#there.every((state) => state === LOST);
+  }
+
+  get lost(): readonly [from: number, to: number] | null {
+    return this.#lost && [this.#height(this.#lost[0]), this.#height(this.#lost[1])];
+  }
+
+  /** Of the upper border of a band, 0–1 from the top. */
+  #height(band: number): number {
+    return Math.min((band * BAND) / this.#camera.height, 1);
   }
 
   image(number: number): SurfaceImage {
-    const [camera, items] = [this.#camera, this.#items];
+    const [camera, items, lost] = [this.#camera, this.#items, this.lost];
     const offset = OFFSETS[number - 1];
-    if (!offset) return { camera, items, ...arraysOf(this.#base) };
+    if (!offset) return { camera, items, lost, ...arraysOf(this.#base) };
     const again = emptyImage({ width: this.#places.length, height: 1 });
-    for (const said of this.#agains[number - 1]!) putAt(again, said.first, said);
     const places = this.placesOf(0, this.#places.length);
+    for (const said of this.#agains[number - 1]!) {
+      if ('surface' in said) putAt(again, said.first, said);
+      else this.#putMiddle(again, said);
+    }
     const image = imageThrough(this.#base, camera, places, { offset, ...again });
-    return { camera: { ...camera, offset }, items, ...arraysOf(image) };
+    return { camera: { ...camera, offset }, items, lost, ...arraysOf(image) };
+  }
+
+  /** What rays through the middle have met. */
+  #putMiddle(again: OwnImage, { first, count }: LostAgain): void {
+    const { surface, colours } = this.#base;
+    for (let i = first; i < first + count; i++) {
+      const part = [4 * this.#places[i]!, 4 * this.#places[i]! + 4] as const;
+      putAt(again, i, { surface: surface.slice(...part), colours: colours.slice(...part) });
+    }
   }
 
   #put(said: Band): void {
     const { from, to, places, work } = said;
     const band = Math.floor(from / BAND);
-    if (this.#there[band] === 1) return;
-    this.#there[band] = 1;
+    if (this.#there[band] !== 0) return;
     this.#work += work;
     putAt(this.#base, from * this.#camera.width, said);
     this.#add(places);
-    if (this.#there[band - 1] === 1) this.#add(this.#seam(from));
-    if (this.#there[band + 1] === 1) this.#add(this.#seam(to));
+    if (this.#there[band - 1] === THERE) this.#add(this.#seam(from));
+    if (this.#there[band + 1] === THERE) this.#add(this.#seam(to));
+    this.#done(band, THERE);
+  }
+
+  #done(band: number, state: typeof THERE | typeof LOST): void {
+    this.#there[band] = state;
     if (--this.#missing === 0) this.milliseconds = performance.now() - this.#since;
   }
 
@@ -135,7 +185,8 @@ export class ExactImages implements CastImages {
   }
 }
 
-const sumOf = (agains: readonly Again[]): number => agains.reduce((sum, { count }) => sum + count, 0);
+const sumOf = (agains: readonly Pick<Again, 'count'>[]): number =>
+  agains.reduce((sum, { count }) => sum + count, 0);
 
 const arraysOf = ({ surface, colours }: Pick<SurfaceImage, 'surface' | 'colours'>) => ({ surface, colours });
 

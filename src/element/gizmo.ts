@@ -3,12 +3,13 @@
  * underneath, and a ring with one that turns and one that scales. They keep their size on the screen, lie over everything, and are buttons for the keyboard.
  */
 import { html, nothing, svg, type TemplateResult } from 'lit';
+import { groupsChosen } from '../document/chosen.ts';
 import { nameOf } from '../document/command/changeParts.ts';
 import { middleOfParts, seenParts } from '../document/extent.ts';
 import { place3 } from '../math/placement.ts';
 import { length2, scale2, unrotate3 } from '../math/tuple.ts';
 import type { Vec2, Vec3 } from '../math/vec.ts';
-import { project } from '../stroke/plane.ts';
+import { project, toWorld } from '../stroke/plane.ts';
 import type { View } from '../stroke/stroke.ts';
 import { AXIS, type Handle } from '../tool/move.ts';
 import type { Carried } from '../tool/tool.ts';
@@ -54,7 +55,7 @@ export function gizmo(session: Session, actions: Actions): TemplateResult | type
   const knobs = knobsAround(view, size, at, free, others).map((knob) => held(knob, carried));
   return html`<div class="gizmo" role="group" aria-label=${PART_WORDS.handles(nameOf(document, session.selection))}
     style="transform:translate(${at[0]}px,${at[1]}px)">
-    <svg aria-hidden="true">${ring(knobs)}${knobs.map(shaft)}</svg>
+    <svg aria-hidden="true">${inkOfGroups(session, at)}${ring(knobs)}${knobs.map(shaft)}</svg>
     <span id="handle-hint" class="hidden">${PART_WORDS.handleHint}</span>
     <span id="turn-hint" class="hidden">${SOLID_WORDS.turnHint}</span>
     <span id="scale-hint" class="hidden">${SOLID_WORDS.scaleHint}</span>
@@ -82,7 +83,8 @@ function tag(knobs: readonly Knob[], carried: Carried | undefined): TemplateResu
   const handle = degrees !== undefined ? 'turn' : 'scale';
   const at = knobs.find((knob) => knob.handle === handle)?.at;
   if (!at || (degrees === undefined && factor === undefined)) return nothing;
-  const text = degrees !== undefined ? `${Math.round(degrees)}°` : `${Math.round(100 * factor!)} %`;
+  const text =
+    degrees !== undefined ? `${Math.round(degrees)}°`.replace('-', '−') : `${Math.round(100 * factor!)} %`;
   return html`<span class="value-tag" aria-hidden="true" style="left:${at[0]}px;top:${at[1]}px">${text}</span>`;
 }
 
@@ -97,6 +99,24 @@ function ring(knobs: readonly Knob[]) {
   const far = radius + 8;
   return svg`<mask id="ring-gaps" maskUnits="userSpaceOnUse" x=${-far} y=${-far} width=${2 * far} height=${2 * far}>
       <circle r=${far} fill="#fff"/>${holes}</mask><g mask="url(#ring-gaps)">${circle}</g>`;
+}
+
+/** The strokes of selected groups, in blue pencil: the contour is that of all they blend with. */
+function inkOfGroups(session: Session, [x0, y0]: Vec2) {
+  const { view, size, selection } = session;
+  const shown = groupsChosen(session.shown(), selection).filter(
+    ({ solid, group }) => !group.hidden && !selection.includes(solid.id),
+  );
+  return shown.flatMap(({ group, solid }) =>
+    group.strokes.map(({ samples, plane, closed }) => {
+      const points = samples.flatMap(({ x, y }) => {
+        const at = project(view, size, place3(solid.placement, toWorld(plane, [x, y])));
+        return at ? [`${(at[0] - x0).toFixed(1)} ${(at[1] - y0).toFixed(1)}`] : [];
+      });
+      const path = `M${points.join('L')}${closed ? 'Z' : ''}`;
+      return svg`<path class="ink-halo" d=${path}/><path class="ink" d=${path}/>`;
+    }),
+  );
 }
 
 const OUTSIDE: Vec2 = [-1e4, -1e4];

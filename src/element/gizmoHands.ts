@@ -5,15 +5,19 @@
 import { middleOfParts, seenParts } from '../document/extent.ts';
 import type { Vec3 } from '../math/vec.ts';
 import { grip, type Handle, penBeside } from '../tool/move.ts';
-import type { Pen } from '../tool/tool.ts';
+import type { Pen, State } from '../tool/tool.ts';
 import type { Session } from './session.ts';
 
 /** mm a press of an arrow key moves, and with Shift */
 const STEP = { plain: 1, shift: 10 } as const;
 
-export function dragHandle(event: PointerEvent, session: Session, handle: Handle): void {
+export const dragHandle = (event: PointerEvent, session: Session, handle: Handle): void =>
+  dragState(event, session, grip(handle, session.idle));
+
+/** A drag of one pointer from what it came down on, as a gesture that begins with `state`. */
+export function dragState(event: PointerEvent, session: Session, state: State, after = () => {}): void {
   if (event.button !== 0) return;
-  const button = event.currentTarget as HTMLElement;
+  const button = event.currentTarget as Element;
   const { pointerId } = event;
   const frame = button.closest('.app')!;
   const ended = new AbortController();
@@ -21,6 +25,7 @@ export function dragHandle(event: PointerEvent, session: Session, handle: Handle
   const over = (finish: () => void) => {
     ended.abort();
     finish();
+    after();
   };
   const own = (type: string, answer: (event: PointerEvent) => void) =>
     button.addEventListener(
@@ -30,7 +35,7 @@ export function dragHandle(event: PointerEvent, session: Session, handle: Handle
     );
   event.stopPropagation();
   button.setPointerCapture(pointerId);
-  session.begin(grip(handle, session.idle));
+  session.begin(state);
   session.down(penOf(event, frame));
   own('pointermove', (e) => session.move([penOf(e, frame)]));
   own('pointerup', (e) =>
@@ -50,7 +55,7 @@ export function dragHandle(event: PointerEvent, session: Session, handle: Handle
   frame.addEventListener('pointerdown', other, { signal, capture: true });
 }
 
-function penOf(event: PointerEvent, frame: Element): Pen {
+export function penOf(event: PointerEvent, frame: Element): Pen {
   const box = frame.getBoundingClientRect();
   const { pointerType, pressure, tiltX, tiltY, timeStamp: time } = event;
   const pointer = pointerType === 'pen' || pointerType === 'touch' ? pointerType : 'mouse';

@@ -9,6 +9,7 @@ import next from 'lucide-static/icons/chevron-right.svg?raw';
 import done from 'lucide-static/icons/circle-check.svg?raw';
 import undone from 'lucide-static/icons/circle-dashed.svg?raw';
 import help from 'lucide-static/icons/circle-question-mark.svg?raw';
+import paste from 'lucide-static/icons/clipboard-paste.svg?raw';
 import duplicate from 'lucide-static/icons/copy.svg?raw';
 import more from 'lucide-static/icons/ellipsis.svg?raw';
 import eye from 'lucide-static/icons/eye.svg?raw';
@@ -25,6 +26,7 @@ import scale from 'lucide-static/icons/maximize-2.svg?raw';
 import select from 'lucide-static/icons/mouse-pointer-2.svg?raw';
 import move from 'lucide-static/icons/move.svg?raw';
 import draw from 'lucide-static/icons/pencil.svg?raw';
+import plus from 'lucide-static/icons/plus.svg?raw';
 import finger from 'lucide-static/icons/pointer.svg?raw';
 import redo from 'lucide-static/icons/redo-2.svg?raw';
 import home from 'lucide-static/icons/rotate-ccw.svg?raw';
@@ -43,6 +45,8 @@ import x from 'lucide-static/icons/x.svg?raw';
 const inside = (text: string) => text.replace(/^[\s\S]*?<svg[^>]*>|<\/svg>\s*$/g, '');
 
 const OURS = {
+  skeleton:
+    '<path d="M7.200 16.800L12 11.500l5.300-3.900M12 11.500l1.300 6.200"/><circle cx="6" cy="18" r="1.800"/><circle cx="12" cy="11.500" r="1.800"/><circle cx="18.600" cy="6.600" r="1.800"/><circle cx="13.700" cy="19.400" r="1.800"/>',
   component: '<circle cx="9.300" cy="10" r="4.300"/><circle cx="14.700" cy="14" r="4.300"/>',
   mirror: '<path d="M12 20v2M12 14v2M12 8v2M12 2v2"/><path d="M9 7L3 17h6z"/><path d="M15 7l6 10h-6z"/>',
   mirrorCopy:
@@ -72,6 +76,7 @@ const OURS = {
 
 const LUCIDE = {
   duplicate,
+  paste,
   turn,
   scale,
   next,
@@ -96,6 +101,7 @@ const LUCIDE = {
   image,
   more,
   open,
+  plus,
   redo,
   save,
   saveAs,

@@ -9,6 +9,7 @@ import {
   selectAll,
 } from './partDeeds.ts';
 import type { Session } from './session.ts';
+import { leaveSkeleton, removeNode, toggleSkeleton } from './skeletonEdit.ts';
 import { type ShownStyle, STYLE_NAMES } from './words.ts';
 
 export interface KeyActions {
@@ -75,9 +76,11 @@ function drawing(key: string, shift: boolean, session: Session, actions: KeyActi
       return shift && mirrorSelection(session);
     case 'h':
       return hideSelection(session);
+    case 'k':
+      return toggleSkeleton(session);
     case 'Delete':
     case 'Backspace':
-      return removeSelection(session);
+      return removeNode(session) || removeSelection(session);
     default:
       return false;
   }
@@ -89,6 +92,7 @@ function drawing(key: string, shift: boolean, session: Session, actions: KeyActi
  */
 function back(session: Session, actions: KeyActions): void {
   if (session.cancel()) return;
+  if (leaveSkeleton(session)) return;
   if (letGoOf(session)) return;
   if (session.document.draft) session.drop();
   else actions.close();

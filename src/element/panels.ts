@@ -2,6 +2,7 @@
 import { html, nothing, type TemplateResult } from 'lit';
 import type { Brush } from '../document/document.ts';
 import { type Background, PAPER_COLOUR } from '../scene/look.ts';
+import { copySelection, pasteHere } from './clipboard.ts';
 import { spheres } from './colours.ts';
 import { type Actions, roving, styleRadios } from './controls.ts';
 import { drawingsPanel } from './drawingsPanel.ts';
@@ -12,7 +13,7 @@ import { frame, toggle } from './panelFrame.ts';
 import { partColours } from './partCard.ts';
 import { partsPanel } from './partsPanel.ts';
 import type { Session } from './session.ts';
-import { KEYS, WORDS } from './words.ts';
+import { KEYS, SOLID_WORDS, WORDS } from './words.ts';
 
 const BACKGROUNDS: readonly (readonly [id: Background, name: string])[] = [
   ['paper', 'Paper'],
@@ -124,6 +125,14 @@ function menu(session: Session, actions: Actions): TemplateResult {
       ${actions.readOnly ? nothing : entry('share', 'Export', '', () => actions.toggle('export'))}
       ${entry('help', 'Keys and gestures', '?', () => actions.toggle('help'))}
     </section>
+    ${
+      actions.readOnly
+        ? nothing
+        : html`<section>
+            ${session.selection.length ? entry('duplicate', SOLID_WORDS.copy, 'Ctrl C', () => copySelection(session)) : nothing}
+            ${entry('paste', SOLID_WORDS.paste, 'Ctrl V', () => void pasteHere(session))}
+          </section>`
+    }
     ${
       !actions.readOnly && (document.parts.length || document.draft)
         ? html`<section>

@@ -1,23 +1,16 @@
 /** What can be set of the selected parts: name, colour, radius. What is set of several is set of all. */
 import { html, nothing, type TemplateResult } from 'lit';
 import { live } from 'lit/directives/live.js';
-import { countsOfPart } from '../document/bodyCounts.ts';
 import { CLAY, solidOf } from '../document/build.ts';
 import { groupsChosen } from '../document/chosen.ts';
 import { itemsOf, nameOf } from '../document/command/changeParts.ts';
 import { LONGEST_NAME } from '../document/command/renamePart.ts';
-import {
-  colourOf,
-  isImplicit,
-  isSolid,
-  type Part,
-  RADIUS_RANGE,
-  type SurfacePart,
-} from '../document/document.ts';
+import { colourOf, isSolid, type Part, RADIUS_RANGE, type SurfacePart } from '../document/document.ts';
 import { colourName, spheres } from './colours.ts';
 import { radiusToSlider, sliderToRadius } from './controls.ts';
 import { flawsOf } from './flaws.ts';
 import { groupCard } from './groupCard.ts';
+import { madeOf } from './partRows.ts';
 import type { Session } from './session.ts';
 import { PART_WORDS, SURFACE } from './words.ts';
 
@@ -112,14 +105,6 @@ function radius(session: Session, parts: readonly Part[]): TemplateResult | type
     </div>`;
 }
 
-/** "2 strokes", "12 skels" */
-export function madeOf(part: Part): string {
-  return isImplicit(part)
-    ? PART_WORDS.skels(countsOfPart(part).skels)
-    : PART_WORDS.strokes(part.strokes.length);
-}
-
-/** What is not seen of it. */
 const flaws = ({ bodies }: Session, part: Part): TemplateResult[] =>
   flawsOf(part, (node) => bodies.problem(node)).map(({ words }) => html`<p class="quiet-words">${words}</p>`);
 

@@ -67,101 +67,141 @@ function changesAnything(document: Document, ids: readonly string[], to: Joins |
   return apply(document, { type: 'moveGroups', ids: groups, to }) !== document;
 }
 
-interface Drag {
-  readonly ids: readonly string[];
-  drop: Drop | null;
-  /** over a closed row */
-  opening: { readonly id: string; readonly timer: number } | null;
-  readonly tag: HTMLElement;
+/** What a drag needs of the list. */
+export interface DragHost {
+  readonly session: Session;
+  rows(): readonly Row[];
+  /** opens a row, or closes it */
+  open(id: string): void;
+  /** makes it the row that keys act on */
+  activate(list: HTMLElement, id: string): void;
 }
 
-export function dragRow(
-  event: PointerEvent,
-  session: Session,
-  rowsShown: (session: Session) => readonly Row[],
-  open: (session: Session, id: string) => void,
-  activate: (id: string) => void,
-): void {
-  const list = event.currentTarget as HTMLElement;
+/** Begins when a pointer comes down on a row that can be dragged. */
+export function dragRow(event: PointerEvent, host: DragHost): void {
   const target = event.target as Element;
   const id = target.closest<HTMLElement>('[role=row]')?.dataset.id;
-  const row = rowsShown(session).find((each) => each.id === id);
+  const row = host.rows().find((each) => each.id === id);
   if (event.button !== 0 || !event.isPrimary || !row || !isSolid(row.part) || target.closest('button'))
     return;
-  const { pointerId, clientX, clientY } = event;
-  const over = new AbortController();
-  const { signal } = over;
-  const isMouse = event.pointerType === 'mouse';
-  const ids = session.selection.includes(row.id) ? session.selection : [row.id];
-  let drag: Drag | null = null;
-  const timer = isMouse ? 0 : window.setTimeout(() => begin(), REST);
+  new RowDrag(event, event.currentTarget as HTMLElement, row, host).listen();
+}
 
-  const begin = () => {
-    list.setPointerCapture(pointerId);
-    list.classList.add('dragging');
-    activate(row.id);
-    drag = { ids, drop: null, opening: null, tag: tagIn(list) };
-    aim(clientX, clientY);
-  };
-  const aim = (x: number, y: number) => {
-    if (!drag) return;
-    const box = list.getBoundingClientRect();
-    if (y < box.top + SCROLL.edge) list.scrollTop -= SCROLL.by;
-    if (y > box.bottom - SCROLL.edge) list.scrollTop += SCROLL.by;
-    const height = list.querySelector<HTMLElement>('.part')?.offsetHeight || 48;
-    const isOver =
-      x > box.left - height && x < box.right + height && y > box.top - height && y < box.bottom + height;
-    const rows = rowsShown(session);
-    const at = Math.max(0, y - box.top + list.scrollTop) / height;
-    drag.drop = isOver ? dropAt(session.document, rows, drag.ids, at) : null;
-    mark(list, drag.drop);
-    show(drag.tag, x, y, drag.drop?.words ?? SOLID_WORDS.nowhere);
-    hover(drag, isOver ? (rows[Math.floor(at)] ?? null) : null, (closed) => {
-      open(session, closed);
-      requestAnimationFrame(() => aim(x, y));
+class RowDrag {
+  readonly #start: PointerEvent;
+  readonly #list: HTMLElement;
+  readonly #row: Row;
+  readonly #host: DragHost;
+  readonly #ids: readonly string[];
+  readonly #over = new AbortController();
+  #timer = 0;
+  #drop: Drop | null = null;
+  /** null: it has not begun */
+  #tag: HTMLElement | null = null;
+  /** over a closed row */
+  #opening: { readonly id: string; readonly timer: number } | null = null;
+
+  constructor(start: PointerEvent, list: HTMLElement, row: Row, host: DragHost) {
+    [this.#start, this.#list, this.#row, this.#host] = [start, list, row, host];
+    const { selection } = host.session;
+    this.#ids = selection.includes(row.id) ? selection : [row.id];
+    if (start.pointerType !== 'mouse') this.#timer = window.setTimeout(() => this.#begin(), REST);
+  }
+
+  listen(): void {
+    const { signal } = this.#over;
+    const own = (type: string, answer: (event: PointerEvent) => void) =>
+      this.#list.addEventListener(
+        type,
+        (e) => (e as PointerEvent).pointerId === this.#start.pointerId && answer(e as PointerEvent),
+        { signal },
+      );
+    own('pointermove', (e) => this.#move(e));
+    own('pointerup', () => this.#end(this.#drop));
+    for (const type of ['pointercancel', 'lostpointercapture']) own(type, () => this.#end(null));
+    // a finger that drags does not scroll, nor does it ask for a menu
+    this.#list.addEventListener('touchmove', (e) => this.#tag && e.preventDefault(), {
+      signal,
+      passive: false,
     });
-  };
-  const end = (drop: Drop | null) => {
-    over.abort();
-    clearTimeout(timer);
-    if (!drag) return;
-    if (drag.opening) clearTimeout(drag.opening.timer);
-    drag.tag.remove();
-    mark(list, null);
-    list.classList.remove('dragging');
-    drag = null;
-    // what ends a drag is no tap
-    list.addEventListener('click', swallow, { capture: true, once: true });
-    setTimeout(() => list.removeEventListener('click', swallow, true));
-    if (drop) joinSelection(session, ids, drop.to);
-  };
-  const own = (type: string, answer: (event: PointerEvent) => void) =>
-    list.addEventListener(
-      type,
-      (e) => (e as PointerEvent).pointerId === pointerId && answer(e as PointerEvent),
-      { signal },
-    );
-  own('pointermove', (e) => {
-    const isFar = Math.hypot(e.clientX - clientX, e.clientY - clientY) > SLOP;
-    if (drag) aim(e.clientX, e.clientY);
-    else if (isFar && isMouse) begin();
-    else if (isFar) end(null);
-  });
-  own('pointerup', () => end(drag?.drop ?? null));
-  for (const type of ['pointercancel', 'lostpointercapture']) own(type, () => end(null));
-  list.addEventListener('touchmove', (e) => drag && e.preventDefault(), { signal, passive: false });
-  list.addEventListener('contextmenu', (e) => e.preventDefault(), { signal });
-  const quit = (e: KeyboardEvent) => {
-    if (!drag || e.key !== 'Escape') return;
-    e.preventDefault();
-    e.stopPropagation();
-    end(null);
-  };
-  window.addEventListener('keydown', quit, { signal, capture: true });
-  const other = (e: PointerEvent) => e.pointerId !== pointerId && end(null);
-  window.addEventListener('pointerdown', other, { signal, capture: true });
-  // let go where the list does not hear of it
-  window.addEventListener('pointerup', (e) => e.pointerId === pointerId && !drag && end(null), { signal });
+    this.#list.addEventListener('contextmenu', (e) => e.preventDefault(), { signal });
+    const elsewhere = { signal, capture: true };
+    window.addEventListener('keydown', (e) => this.#key(e), elsewhere);
+    window.addEventListener('pointerdown', () => this.#end(null), elsewhere);
+    // let go where the list does not hear of it
+    window.addEventListener('pointerup', () => this.#tag || this.#end(null), { signal });
+  }
+
+  #begin(): void {
+    const { clientX, clientY, pointerId } = this.#start;
+    this.#list.setPointerCapture(pointerId);
+    this.#list.classList.add('dragging');
+    this.#tag = tagIn(this.#list);
+    this.#host.activate(this.#list, this.#row.id);
+    this.#aim(clientX, clientY);
+  }
+
+  #move({ clientX, clientY }: PointerEvent): void {
+    const start = this.#start;
+    const isFar = Math.hypot(clientX - start.clientX, clientY - start.clientY) > SLOP;
+    if (this.#tag) this.#aim(clientX, clientY);
+    else if (isFar && start.pointerType === 'mouse') this.#begin();
+    else if (isFar) this.#end(null);
+  }
+
+  #aim(x: number, y: number): void {
+    if (!this.#tag) return;
+    const list = this.#list;
+    const { left, right, top, bottom } = list.getBoundingClientRect();
+    if (y < top + SCROLL.edge) list.scrollTop -= SCROLL.by;
+    if (y > bottom - SCROLL.edge) list.scrollTop += SCROLL.by;
+    const height = list.querySelector<HTMLElement>('.part')?.offsetHeight || 48;
+    const isOver = x > left - height && x < right + height && y > top - height && y < bottom + height;
+    const rows = this.#host.rows();
+    const at = Math.max(0, y - top + list.scrollTop) / height;
+    this.#drop = isOver ? dropAt(this.#host.session.document, rows, this.#ids, at) : null;
+    mark(list, this.#drop);
+    show(this.#tag, x, y, this.#drop?.words ?? SOLID_WORDS.nowhere);
+    this.#hover(isOver ? (rows[Math.floor(at)] ?? null) : null, () => this.#aim(x, y));
+  }
+
+  /** Over a closed row for a while: it opens. */
+  #hover(row: Row | null, again: () => void): void {
+    const id = row?.open === false ? row.id : null;
+    if ((this.#opening?.id ?? null) === id) return;
+    if (this.#opening) clearTimeout(this.#opening.timer);
+    const open = () => {
+      this.#host.open(id!);
+      requestAnimationFrame(again);
+    };
+    this.#opening = id === null ? null : { id, timer: window.setTimeout(open, OPENS) };
+  }
+
+  #key(event: KeyboardEvent): void {
+    if (!this.#tag || event.key !== 'Escape') return;
+    event.preventDefault();
+    event.stopPropagation();
+    this.#end(null);
+  }
+
+  #end(drop: Drop | null): void {
+    this.#over.abort();
+    clearTimeout(this.#timer);
+    if (this.#opening) clearTimeout(this.#opening.timer);
+    if (!this.#tag) return;
+    this.#tag.remove();
+    this.#tag = null;
+    mark(this.#list, null);
+    this.#list.classList.remove('dragging');
+    swallowClick(this.#list);
+    if (drop) joinSelection(this.#host.session, this.#ids, drop.to);
+  }
+}
+
+/** What ends a drag is no tap. */
+function swallowClick(list: HTMLElement): void {
+  list.addEventListener('click', swallow, { capture: true, once: true });
+  setTimeout(() => list.removeEventListener('click', swallow, true));
 }
 
 function swallow(event: Event): void {
@@ -189,11 +229,4 @@ function mark(list: HTMLElement, drop: Drop | null): void {
   for (const marked of list.querySelectorAll('[data-drop]')) marked.removeAttribute('data-drop');
   const at = drop?.id && list.querySelector(`[data-id="${CSS.escape(drop.id)}"]`);
   if (at && drop) at.setAttribute('data-drop', drop.side);
-}
-
-function hover(drag: Drag, row: Row | null, open: (id: string) => void): void {
-  const id = row?.open === false ? row.id : null;
-  if (drag.opening?.id === id) return;
-  if (drag.opening) clearTimeout(drag.opening.timer);
-  drag.opening = id === null ? null : { id, timer: window.setTimeout(() => open(id), OPENS) };
 }

@@ -13,7 +13,7 @@ import type { FieldNode } from '../field/node.ts';
 import { flawsOf, type Problem } from './flaws.ts';
 import { icon } from './icons.ts';
 import { removeSelection } from './partDeeds.ts';
-import { dragRow } from './partDrag.ts';
+import { type DragHost, dragRow } from './partDrag.ts';
 import { factsOf, isHidden, openedFor, type Row, rowsOf, toggled } from './partRows.ts';
 import type { Session } from './session.ts';
 import { PART_WORDS, SOLID_WORDS } from './words.ts';
@@ -42,11 +42,11 @@ const opened = new WeakMap<Session, ReadonlySet<string>>();
 const NONE: ReadonlySet<string> = new Set();
 
 /** As the list shows them now. */
-export const rowsShown = (session: Session): readonly Row[] =>
+const rowsShown = (session: Session): readonly Row[] =>
   rowsOf(session.document.parts, opened.get(session) ?? NONE);
 
 /** Opens a row, or closes it. */
-export function toggleOpen(session: Session, id: string): void {
+function toggleOpen(session: Session, id: string): void {
   opened.set(session, toggled(session.document, id, opened.get(session) ?? NONE));
   session.update();
 }
@@ -58,9 +58,16 @@ export function partList(session: Session): TemplateResult {
   return html`<div class="part-list" role="treegrid" tabindex="0" aria-label=${PART_WORDS.list} aria-multiselectable="true"
     aria-rowcount=${rowsShown(session).length} ${ref(paint)}
     @scroll=${(event: Event) => paint(event.currentTarget as Element)}
-    @pointerdown=${(event: PointerEvent) => dragRow(event, session, rowsShown, toggleOpen, (id) => activateIn(event, session, id))}
+    @pointerdown=${(event: PointerEvent) => dragRow(event, hostOf(session))}
     @click=${(event: MouseEvent) => click(event, session)} @keydown=${(event: KeyboardEvent) => press(event, session)}></div>`;
 }
+
+const hostOf = (session: Session): DragHost => ({
+  session,
+  rows: () => rowsShown(session),
+  open: (id) => toggleOpen(session, id),
+  activate: (list, id) => activate(list, session, id),
+});
 
 function draw(list: HTMLElement, session: Session): void {
   const { selection } = session;
@@ -119,8 +126,7 @@ function rowsInSight(list: HTMLElement, rows: readonly Row[]): { first: number; 
   return { first, last: Math.min(rows.length, first + count + 2 * SPARE) };
 }
 
-export const rowHeight = (list: HTMLElement): number =>
-  list.querySelector<HTMLElement>('.part')?.offsetHeight || 48;
+const rowHeight = (list: HTMLElement): number => list.querySelector<HTMLElement>('.part')?.offsetHeight || 48;
 
 interface RowLook {
   readonly selected: ReadonlySet<string>;
@@ -202,10 +208,6 @@ function choose(session: Session, ids: readonly string[]): void {
   if (session.tool !== 'select') session.setTool('select');
   session.select(ids);
   session.saySelection();
-}
-
-function activateIn(event: Event, session: Session, id: string): void {
-  activate(event.currentTarget as HTMLElement, session, id);
 }
 
 function activate(list: HTMLElement, session: Session, id: string | null): void {

@@ -1,11 +1,11 @@
 /** The rows of the list: parts, and of solids that are open what they are made of. A component has a row of its own where there are several. */
+import { countsOfPart } from '../document/bodyCounts.ts';
 import { groupsChosen } from '../document/chosen.ts';
-import { type Document, isSolid, type Part, type SolidPart } from '../document/document.ts';
+import { type Document, isImplicit, isSolid, type Part, type SolidPart } from '../document/document.ts';
 import { type Component, type Group, groupsOf } from '../document/solid.ts';
 import { shapedOf } from '../document/solidNode.ts';
 import { kernelNamed } from '../kernel/index.ts';
 import type { IconName } from './icons.ts';
-import { madeOf } from './partCard.ts';
 import { PART_WORDS, SOLID_WORDS, SURFACE } from './words.ts';
 
 /** What a row is of: the innermost that it has. */
@@ -95,6 +95,14 @@ const groupRows = (part: SolidPart, component: Component, level: number, parent:
     open: null,
   }));
 
+/** "2 strokes", "12 skels" */
+export function madeOf(part: Part): string {
+  return isImplicit(part)
+    ? PART_WORDS.skels(countsOfPart(part).skels)
+    : PART_WORDS.strokes(part.strokes.length);
+}
+
+/** What is not seen of it. */
 /** "Soft · 12 skels", "Ring · 6 mm", "3 forms · 60 skels" */
 export function factsOf({ part, component, group }: Row): string[] {
   if (group) return factsOfGroup(group, component!);

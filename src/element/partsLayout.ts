@@ -15,6 +15,8 @@ export const partsLayout = css`
   .gizmo .shaft { stroke: currentColor; stroke-width: 3; }
   .gizmo .shaft.surface { stroke: var(--edge); stroke-width: 2; stroke-dasharray: 1 6; }
   .gizmo .halo:has(+ .surface) { stroke: none; }
+  .gizmo .ink-halo { stroke: var(--surface); stroke-width: 4; stroke-linejoin: round; opacity: 0.7; }
+  .gizmo .ink { stroke: var(--pencil); stroke-width: 1.75; stroke-linejoin: round; stroke-dasharray: 5 4; }
   .gizmo .ring-halo { fill: none; stroke: var(--surface); stroke-width: 5; }
   .gizmo .ring { fill: none; stroke: var(--edge); stroke-width: 1.75; }
   .gizmo .x { color: var(--axis-x); }
@@ -35,7 +37,7 @@ export const partsLayout = css`
   .acts .b { flex-direction: column; gap: 0.125rem; height: 3.75rem; min-width: 4.5rem; border-radius: 0.875rem; font-size: 0.75rem; line-height: 1rem; }
   .acts .b > .name { display: block; }
   .acts .tip { display: none; }
-  .acts ~ .status { max-width: calc(50cqw - 14.5rem); }
+  .acts ~ .status { max-width: calc(50cqw - 21rem); }
   .acts.docked ~ .status .aside { display: none; }
   .acts .swatch, .acts .swatch .ball { width: 1.5rem; height: 1.5rem; }
 
@@ -53,7 +55,7 @@ export const partsLayout = css`
   .part[data-drop='on'] { box-shadow: inset 0 0 0 2px var(--pencil); background: var(--pencil-soft); }
   .part[data-drop='before'] { box-shadow: inset 0 3px 0 -1px var(--pencil); }
   .part[data-drop='after'] { box-shadow: inset 0 -3px 0 -1px var(--pencil); }
-  .drag-tag, .value-tag { position: absolute; pointer-events: none; white-space: nowrap; padding: 0.25rem 0.625rem; border-radius: 1rem; background: var(--active); color: var(--on-active); font: 600 0.8125rem/1.125rem var(--font); box-shadow: var(--e2); z-index: 1; }
+  .drag-tag, .value-tag { position: absolute; pointer-events: none; white-space: nowrap; padding: 0.25rem 0.625rem; border-radius: 1rem; background: var(--active); color: var(--on-active); font: 600 0.8125rem/1.125rem var(--font); box-shadow: var(--e2); z-index: 9; }
   .value-tag { transform: translate(1.75rem, -50%); font-variant-numeric: tabular-nums; }
   .part .what { flex: 1; min-width: 0; display: flex; align-items: center; gap: 0.625rem; }
   .part .what > span { min-width: 0; }
@@ -82,24 +84,33 @@ export const partsLayout = css`
 
   @container (min-width: 1100px) {
     .acts.docked { left: calc(50% - 10.5rem); }
-    .acts.docked ~ .status { max-width: calc(50cqw - 25rem); }
+    .acts.docked ~ .status { max-width: calc(50cqw - 31.5rem); }
   }
   @container (min-width: 700px) and (max-width: 1099px) {
     .acts.docked { left: calc(50% - 10.5rem); }
-    .acts.docked ~ .status { bottom: calc(var(--gap) + 5rem); }
+    .acts.docked .b { min-width: 3rem; padding: 0 0.25rem; }
+    .acts.docked .elsewhere { display: none; }
+    .acts ~ .status { bottom: calc(var(--gap) + 5rem); max-width: 50%; }
+  }
+  @container (min-width: 1100px) and (max-width: 1399px) {
+    .acts.docked ~ .status { bottom: calc(var(--gap) + 5rem); max-width: 40%; }
   }
   @container (max-width: 699px) {
     .chip { width: auto; }
     .rail.selecting { justify-content: flex-start; }
     .rail.selecting .toggle { margin-left: auto; }
     .acts { left: 0.5rem; right: 0.5rem; transform: none; bottom: calc(5.25rem + env(safe-area-inset-bottom, 0px)); justify-content: space-between; }
-    .acts .b { min-width: 2.75rem; flex: 1; }
+    .acts .b { min-width: 2.75rem; flex: 1 1 auto; padding: 0 0.125rem; }
+    .acts .elsewhere:not(.least) { display: none; }
     .acts .separator { display: none; }
     .acts ~ .status { max-width: 60%; bottom: calc(10rem + env(safe-area-inset-bottom, 0px)); }
     .acts ~ .view { bottom: calc(10rem + env(safe-area-inset-bottom, 0px)); }
     .panel.parts { max-height: 50%; overflow-y: auto; }
     .part-list { max-height: 9.75rem; }
     .b.parts-button { padding: 0 0.25rem; }
+  }
+  @container (max-width: 359px) {
+    .acts .elsewhere { display: none; }
   }
   @container (max-width: 400px) {
     .rail .caption, .tray.right .separator { display: none; }

@@ -14,10 +14,14 @@ import { RayWorker } from './rayWorker.ts';
 /** `device`: software adapters too, and live whatever it takes, for tests; they take longer than workers. */
 export type RayChoice = 'auto' | 'device' | 'worker';
 
+type OnDevice = (device: GPUDevice, told: (why: string) => void) => Caster;
+
 export class Rays implements Caster {
   choice: RayChoice = 'auto';
+  /** the device casts less than it was asked for, others do; once a device */
+  onRefused: (why: string) => void = () => {};
   readonly #workers: Caster;
-  readonly #onDevice: (device: GPUDevice) => Caster;
+  readonly #onDevice: OnDevice;
   #device: Caster | null = null;
   #isSoftware = false;
   /** trees that the device could not cast, though it should */
@@ -25,7 +29,7 @@ export class Rays implements Caster {
 
   constructor(
     workers: Caster = new RayWorker(),
-    onDevice = (device: GPUDevice): Caster => new DeviceRays(device),
+    onDevice: OnDevice = (device, told) => new DeviceRays(device, told),
   ) {
     this.#workers = workers;
     this.#onDevice = onDevice;
@@ -34,7 +38,7 @@ export class Rays implements Caster {
   /** Where pictures are drawn from now on. */
   use({ device, description }: Pick<Scene, 'device' | 'description'>): void {
     const before = this.#device;
-    this.#device = device && this.#onDevice(device);
+    this.#device = device && this.#onDevice(device, (why) => this.onRefused(why));
     before?.end();
     this.#isSoftware = description?.software ?? false;
     this.#refused = new WeakSet();
@@ -46,13 +50,13 @@ export class Rays implements Caster {
     const images = new Casting();
     images.of = device.cast(bodies, camera, {
       changed: () => listener.changed(),
-      refused: (why) => {
+      refused: (why, trees = []) => {
         // it is gone, and so is the picture
         if (this.#device !== device) {
           listener.refused(why);
           return;
         }
-        for (const { node } of bodies) this.#refused.add(node);
+        for (const node of trees) this.#refused.add(node);
         images.of = this.#workers.cast(bodies, camera, listener);
       },
     });
@@ -120,6 +124,9 @@ class Casting implements CastImages {
   get known() {
     return this.of.known;
   }
+  get lost() {
+    return this.of.lost ?? null;
+  }
   get share() {
     return this.of.share;
   }
@@ -131,5 +138,8 @@ class Casting implements CastImages {
   }
   image(number: number): SurfaceImage {
     return this.of.image(number);
+  }
+  drop(): void {
+    this.of.drop?.();
   }
 }

@@ -30,8 +30,11 @@ import { panel } from './panels.ts';
 import { partsLayout } from './partsLayout.ts';
 import { chipPlace, type Place, screenBox, strokesBox } from './place.ts';
 import { PointerRouter } from './pointer.ts';
+import { profileLayout } from './profileEditor.ts';
 import { SceneLife, type SceneOwner } from './sceneLife.ts';
 import { Session } from './session.ts';
+import { hasSkeleton } from './skeletonEdit.ts';
+import { skeletonLayout, skeletonOverlay } from './skeletonOverlay.ts';
 import { startLayout } from './startLayout.ts';
 import { PAPER_OF, reducedMotion, themeOf, watchPixelRatio, watchSystem } from './theme.ts';
 import { tokens } from './tokens.ts';
@@ -45,7 +48,17 @@ const LOOKING_PANELS: readonly PanelName[] = ['settings', 'menu', 'help'];
 // What is marked internal is for the controls and is left out of the package’s types.
 export class RotundSketch extends SketchApi {
   /** @internal */
-  static override styles = [tokens, layout, chipLayout, startLayout, fileLayout, noPictureStyle, partsLayout];
+  static override styles = [
+    tokens,
+    layout,
+    chipLayout,
+    startLayout,
+    fileLayout,
+    noPictureStyle,
+    partsLayout,
+    skeletonLayout,
+    profileLayout,
+  ];
   /** @internal */
   static override properties: PropertyDeclarations = {
     autosave: { reflect: true },
@@ -268,7 +281,7 @@ export class RotundSketch extends SketchApi {
       !session.document.draft &&
       !session.state.wet;
     const around = {
-      before: html`${gizmo(session, this)} ${empty && (session.noPicture?.told ?? true) ? html`<div class="start ${this.files.samples.list.length > 0 ? 'filled' : ''}">${hint()}${gallery(this)}</div>` : nothing} ${fileTray(session, this)}`,
+      before: html`${hasSkeleton(session) ? skeletonOverlay(session) : gizmo(session, this)} ${empty && (session.noPicture?.told ?? true) ? html`<div class="start ${this.files.samples.list.length > 0 ? 'filled' : ''}">${hint()}${gallery(this)}</div>` : nothing} ${fileTray(session, this)}`,
       after: html`${rail(session, this)} ${meter(session)}
         ${actionsBar(session, this)} ${chip(session, this)}`,
     };
@@ -361,7 +374,7 @@ export class RotundSketch extends SketchApi {
     this.drawInk();
     const { view, state, frames } = this.session;
     this.declared.sayReady();
-    const key = JSON.stringify([view, state.carried, frames.triangles]);
+    const key = JSON.stringify([view, state.carried, state.skeleton?.nodes, frames.triangles]);
     if (key === this.#viewKey) return;
     this.#viewKey = key;
     this.requestUpdate();

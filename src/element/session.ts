@@ -28,6 +28,7 @@ import { type Background, DEFAULT_LOOK, type Look, type Mode, type Style } from 
 import { GROWING, isTooLarge } from '../document/size.ts';
 import { nodeOf } from '../document/solidNode.ts';
 import type { FieldNode } from '../field/node.ts';
+import type { RayCamera } from '../field/rayImage.ts';
 import type { Vec3 } from '../math/vec.ts';
 // Only the pure parts of the scene at once: three.js is fetched when there is a page to draw on.
 import type { Scene } from '../scene/index.ts';
@@ -45,7 +46,7 @@ import { draftProblem } from './draftProblem.ts';
 import { longName, previewWords, rememberStart, shortName } from './draftWords.ts';
 import type { Cause } from './events.ts';
 import { Exact } from './exact.ts';
-import { pickedOn } from './exactPick.ts';
+import { isCastable, pickedAmong, pickedOn } from './exactPick.ts';
 import { type Flaw, flawsIn } from './flaws.ts';
 import { Frames } from './frames.ts';
 import type { NoPicture } from './noPicture.ts';
@@ -115,6 +116,8 @@ export class Session implements Bench, Viewport {
   #tuned: State | null = null;
   /** bodies whose problem was told */
   readonly #told = new WeakSet<FieldNode>();
+  /** that some rows could not be cast, since exact mode was switched on */
+  #toldRows = false;
   /** where one looked from when there last was a scene */
   #lastView: View = FRONT_VIEW;
   /** what is shown while a gesture is under way, by that */
@@ -139,6 +142,10 @@ export class Session implements Bench, Viewport {
   constructor(hooks: Hooks) {
     this.#hooks = hooks;
     this.frames = new Frames(this, () => hooks.drawn());
+    this.rays.onRefused = (why) => {
+      this.said = WORDS.raysRefused(why);
+      this.update();
+    };
   }
 
   get document(): Document {
@@ -154,13 +161,22 @@ export class Session implements Bench, Viewport {
   }
 
   /** On bodies their surface itself, whatever is seen of them: strokes that start there stay, meshes do not. */
-  pick(x: number, y: number, except?: readonly string[]): Picked | null {
-    const hit = this.scene?.pick(x, y, except) ?? null;
+  pick(x: number, y: number, except: readonly string[] = []): Picked | null {
+    const isSeen = ({ id, hidden }: NamedNode) => !hidden && !except.includes(id);
+    const all = this.look.mode === 'exact' ? bodiesOf(this.document).filter(isSeen) : [];
+    const bodies = all.filter(isCastable);
+    const hit = this.scene?.pick(x, y, [...except, ...bodies.map(({ id }) => id)]) ?? null;
+    if (bodies.length > 0) return this.scene && pickedAmong(bodies, hit, this.#camera, [x, y]);
     if (!hit) return null;
     const parts = partsWithDraft(this.document);
     const part = parts.filter(isImplicit).find(({ id }) => id === hit.id);
     const made = part && bodyMade(nodeOf(part));
     return made ? pickedOn(hit, part, rayAt(this.view, this.size, x, y), made) : { ...hit, skel: null };
+  }
+
+  /** For rays through places in CSS pixels. */
+  get #camera(): RayCamera {
+    return { view: this.view, ...this.size, offset: [0, 0] };
   }
 
   focus(ids: readonly string[]): void {
@@ -272,8 +288,20 @@ export class Session implements Bench, Viewport {
 
   /** There is more to be seen of it, or to be said. */
   #exactNews(): void {
+    this.#sayExact();
     this.#hooks.changed();
     this.frames.wake();
+  }
+
+  /** Whoever heard that it is on its way hears once how that ended, unless something else was said since. */
+  #sayExact(): void {
+    if (this.exact.isInPart && !this.#toldRows) {
+      this.#toldRows = true;
+      this.said = WORDS.rowsLost;
+    }
+    if (this.said !== WORDS.onItsWay) return;
+    if (this.exact.problem !== null) this.said = WORDS.noExact(this.exact.problem);
+    else if (this.exact.evaluationsAPixel !== null) this.said = WORDS.mode.exact;
   }
 
   #isNewProblem(node: FieldNode): boolean {
@@ -581,7 +609,9 @@ export class Session implements Bench, Viewport {
   }
 
   setMode(mode: Mode): void {
-    this.said = this.hasBodies ? WORDS.mode[mode] : WORDS.noBodies;
+    if (mode !== this.look.mode) this.#toldRows = false;
+    const words = mode === 'exact' && mode !== this.look.mode ? WORDS.onItsWay : WORDS.mode[mode];
+    this.said = this.hasBodies ? words : WORDS.noBodies;
     if (this.hasBodies) this.setLook({ mode });
     else this.update();
   }
@@ -618,7 +648,7 @@ export class Session implements Bench, Viewport {
     if (this.scene !== scene) this.scene?.dispose();
     this.scene = scene;
     // images lie on the device of the scene before
-    this.exact.rest();
+    this.exact.drop();
     this.rays.use(scene);
     this.frames.version++;
     scene.rig.setView(this.#lastView, false);
@@ -652,13 +682,15 @@ export class Session implements Bench, Viewport {
     return shown;
   }
 
-  /** What rays do, or did; null: triangles are seen. */
+  /** What rays do, or did; null: triangles are wanted, or there is no picture. */
   get #rays(): string | null {
     const { share, evaluationsAPixel, problem, milliseconds } = this.exact;
-    if (this.look.mode !== 'exact' || !this.hasBodies) return null;
+    if (this.look.mode !== 'exact' || !this.hasBodies || !this.scene) return null;
     if (problem !== null) return WORDS.notExact;
-    if (share !== null) return WORDS.casting(Math.round(100 * share));
-    return evaluationsAPixel === null ? null : WORDS.exact(evaluationsAPixel, milliseconds);
+    // also before it is begun, and while something moves
+    if (evaluationsAPixel === null) return WORDS.casting(Math.floor(100 * (share ?? 0)));
+    const words = WORDS.exact(evaluationsAPixel, milliseconds);
+    return this.exact.isInPart ? WORDS.inPart(words) : words;
   }
 
   /** Whether the picture is a mesh or exact, and of what; or what is being made. */

@@ -1,4 +1,5 @@
 /** What the status line says of a command; `document` is the one before it. Null: nothing worth saying. */
+import { itemsOf } from '../document/command/changeParts.ts';
 import { type Command, describe } from '../document/command/index.ts';
 import type { Document } from '../document/document.ts';
 import { keptWords } from './draftWords.ts';
@@ -31,6 +32,10 @@ export function spoken(document: Document, command: Command): string | null {
     case 'moveParts':
     case 'showParts':
     case 'duplicateParts':
+    case 'mirrorParts':
+    case 'scaleParts':
+    case 'moveGroups':
+    case 'paste':
       return describe(document, command);
     case 'load':
       return WORDS.opened(command.name);
@@ -40,7 +45,9 @@ export function spoken(document: Document, command: Command): string | null {
 }
 
 const names = (document: Document, ids: readonly string[]) =>
-  document.parts.filter(({ id }) => ids.includes(id)).map(({ name }) => name);
+  itemsOf(document)
+    .filter(({ id }) => ids.includes(id))
+    .map(({ name }) => name);
 
 function deleted(document: Document, parts: readonly string[]): string {
   if (parts.length === 0) return document.draft ? WORDS.dropped : WORDS.nothingToDelete;

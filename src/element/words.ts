@@ -58,11 +58,17 @@ export const WORDS = {
   volumesHint: 'Around each skel all that it can be inside of, after Zhu et al. (M)',
   volumesSaid: (on: boolean) => (on ? 'Bounding volumes of the skels' : 'No bounding volumes'),
   noBodies: 'There is no implicit body in this drawing: all of it is triangles anyway.',
-  casting: (percent: number) => `casting rays, ${percent} %`,
+  /** at once, before anything of it is seen */
+  onItsWay: 'The exact surface of bodies is on its way',
+  casting: (percent: number) => `exact on its way · ${percent} %`,
   mesh: (triangles: number) => `mesh · ${thousands(triangles)} triangles`,
   exact: (evaluations: number, milliseconds: number) =>
     `exact · ${evaluations < 10 ? evaluations.toFixed(1) : Math.round(evaluations)} evaluations per pixel · ${seconds(milliseconds)}`,
+  raysRefused: (why: string) => `Processors or triangles stand in for rays: ${why}`,
+  inPart: (exact: string) => `${exact} · some rows triangles`,
+  rowsLost: 'Some rows of the picture could not be cast: bodies are triangles there',
   notExact: 'no rays here, triangles',
+  noExact: (why: string) => `There is no exact surface here, bodies stay triangles: ${why}`,
   style: (name: string) => `Style: ${name.toLowerCase()}`,
   tooShort: 'A dot is too short for a tube. Draw a longer line.',
   orPoint: 'A dot is too short for a tube. Make it a point?',
@@ -245,6 +251,7 @@ export const KEYS: readonly { readonly keys: string; readonly does: string }[] =
   { keys: 'F', does: 'Full screen' },
   { keys: 'Delete', does: 'Delete what is selected' },
   { keys: 'H', does: 'Hide or show what is selected' },
+  { keys: 'K', does: 'Skeleton of the form that is selected' },
   { keys: 'Ctrl A', does: 'Select everything' },
   { keys: 'Ctrl D', does: 'Duplicate what is selected' },
   { keys: 'Shift M', does: 'Mirror what is selected' },
@@ -305,6 +312,8 @@ export const SOLID_WORDS = {
     about === null
       ? 'Flips it where it is: nothing else is there, or it lies in the middle'
       : `To the other side of the middle of ${about}, as you look at it`,
+  copy: 'Copy',
+  paste: 'Paste',
   copied: (name: string) => `${name} copied`,
   cut: (name: string) => `${name} cut. Undo brings it back`,
   pasted: (name: string) => `${name} pasted`,
@@ -347,7 +356,11 @@ export const SILHOUETTE_WORDS = {
   holes: (count: number) => (count === 1 ? '1 hole' : `${count} holes`),
   radius: (mm: number) => `${mm} mm radius`,
   thick: (mm: number) => `${mm} mm thick`,
-  preview: (long: string, joined: string | null) => `${long}, preview${joined ? `. Joins ${joined}` : ''}`,
+  preview: (long: string) => `${long}, preview`,
+  previewOf: {
+    joins: (long: string, joined: string) => `${long}, preview. Joins ${joined}`,
+    sitsOn: (long: string, joined: string) => `${long}, preview. Sits on ${joined}`,
+  },
   carving: (joined: string) => `Carving, preview. Takes away from ${joined}`,
   added: (long: string, joined: string) => `${long} added to ${joined}`,
   carved: (joined: string) => `${joined} carved`,
@@ -360,4 +373,25 @@ export const SILHOUETTE_WORDS = {
   join: 'Join the parts',
   nothing: 'nothing to fill',
   asTube: 'Tube',
+} as const;
+
+/** Words of skeletons in the hand, and of profiles. */
+export const SKELETON_WORDS = {
+  show: 'Skeleton',
+  of: (name: string) => `Skeleton of ${name}`,
+  shown: (name: string, nodes: number) => `Skeleton of ${name}, ${nodes === 1 ? '1 node' : `${nodes} nodes`}`,
+  hidden: 'Skeleton hidden',
+  none: 'Select one form of a solid to see its skeleton',
+  node: (node: number, of: number, radius: number) =>
+    `Node ${node} of ${of}, radius ${Math.round(10 * radius) / 10} mm`,
+  hint: 'Arrow keys move it 1 mm, with Shift 10 mm; plus and minus change its radius; Page Up and Page Down go to the next; Enter splits a link; Delete removes it.',
+  add: 'Add a node: drag to where it goes',
+  remove: 'Delete the node',
+  edited: (name: string) => `Skeleton of ${name} edited`,
+  reset: (name: string) => `Skeleton of ${name} as the strokes say`,
+  profile: 'Profile',
+  profileOf: (name: string) => `Profile of ${name}`,
+  profilePoint: (point: number, of: number) => `Thickness at ${point} of ${of}`,
+  profileEven: 'Even',
+  profileByHand: 'The skeleton was edited: its own radii count.',
 } as const;

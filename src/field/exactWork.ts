@@ -60,6 +60,12 @@ interface OfCast {
   readonly id: number;
 }
 
+/** It runs; the first that it says, of no picture. */
+interface Begun extends OfCast {
+  readonly type: 'begun';
+  readonly id: 0;
+}
+
 /** Bodies are looked for: 0–1 of the first. */
 interface Locating extends OfCast {
   readonly type: 'locating';
@@ -94,4 +100,4 @@ interface Refused extends OfCast {
   readonly message: string;
 }
 
-export type FromExact = Locating | Band | Again | Refused;
+export type FromExact = Begun | Locating | Band | Again | Refused;

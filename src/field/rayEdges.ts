@@ -5,7 +5,7 @@
 import { rotate3 } from '../math/tuple.ts';
 import type { Vec3 } from '../math/vec.ts';
 import { eyeDistance } from '../stroke/plane.ts';
-import { back, NOWHERE, PASSED, type RayCamera, type RayImage } from './rayImage.ts';
+import { back, NOWHERE, type RayCamera, type RayImage } from './rayImage.ts';
 
 /** Where in the pixel rays go through, after the first in its middle: the four places of hardware multisampling, which triangles get. */
 export const OFFSETS: readonly (readonly [x: number, y: number])[] = [
@@ -33,7 +33,7 @@ const BESIDE = [
 
 /** The pixels at edges: of surfaces against others or against nothing, of colours, where they are seen edge-on, and what one ray has only just passed. Ascending. */
 export function edgesOf(
-  { width, height, surface, colours }: RayImage,
+  { width, height, surface, colours, passed }: RayImage,
   camera: RayCamera,
 ): Uint32Array<ArrayBuffer> {
   const found: number[] = [];
@@ -48,7 +48,7 @@ export function edgesOf(
 
   function isEdge(x: number, y: number, at: number): boolean {
     const here = surface[4 * at + 3]! !== NOWHERE;
-    if (here ? plane.facing(surface, at) < GRAZING : colours[4 * at] === PASSED) return true;
+    if (passed?.[at] === 1 || (here && plane.facing(surface, at) < GRAZING)) return true;
     for (const [dx, dy] of BESIDE) {
       const [nx, ny] = [x + dx, y + dy];
       if (nx < 0 || ny < 0 || nx >= width || ny >= height) continue;

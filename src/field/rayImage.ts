@@ -24,14 +24,12 @@ export interface RayImage {
    */
   readonly surface: Float32Array;
   /**
-   * Four a pixel: red, green, blue (0–1, linear), and 1 + the place of the body among those that were cast. Where there is none 0, and PASSED
-   * instead of red if a ray passed one by less than half a pixel.
+   * Four a pixel: red, green, blue (0–1, linear), and 1 + the place of the body among those that were cast. Where there is none 0.
    */
   readonly colours: Float32Array;
+  /** One a pixel: 1 where the ray passed a body by less than half a pixel before it met what is seen, or nothing. Not there: nobody told. */
+  readonly passed?: Uint8Array;
 }
-
-/** in the place of a colour that nobody sees */
-export const PASSED = 1;
 
 /** a power of two: the same in float32 */
 export const NOWHERE = -1.2676506002282294e30;

@@ -10,7 +10,7 @@ import type { View } from '../stroke/stroke.ts';
 import type { Lattice } from './lattice.ts';
 import type { Located } from './polygonize.ts';
 import { type Ray, Raycaster } from './raycast.ts';
-import { back, NOWHERE, PASSED, type RayCamera, type RayImage, rayOf } from './rayImage.ts';
+import { back, NOWHERE, type RayCamera, type RayImage, rayOf } from './rayImage.ts';
 
 /** A body in the model. */
 export interface Standing {
@@ -30,13 +30,15 @@ export interface Frame {
 export interface OwnImage extends RayImage {
   readonly surface: Float32Array<ArrayBuffer>;
   readonly colours: Float32Array<ArrayBuffer>;
+  readonly passed: Uint8Array<ArrayBuffer>;
 }
 
 /** Nothing anywhere. */
 export function emptyImage({ width, height }: Pick<RayCamera, 'width' | 'height'>): OwnImage {
   const surface = new Float32Array(4 * width * height);
   for (let at = 3; at < surface.length; at += 4) surface[at] = NOWHERE;
-  return { width, height, surface, colours: new Float32Array(4 * width * height) };
+  const colours = new Float32Array(4 * width * height);
+  return { width, height, surface, colours, passed: new Uint8Array(width * height) };
 }
 
 /** Casts for one camera. The last of a pixel's colours is 1 + the place of the body in the list. */
@@ -102,13 +104,12 @@ class BodyCaster {
   }
 
   /** Writes what is nearer than what is there. */
-  cast({ surface, colours }: RayImage, at: number, x: number, y: number): void {
+  cast({ surface, colours, passed }: RayImage, at: number, x: number, y: number): void {
     const ray = rayOf(this.#camera, x, y);
     const caster = this.#caster;
-    if (!caster.cast(ray, this.#reach(ray, surface[at + 3]!))) {
-      if (caster.passed && surface[at + 3] === NOWHERE) colours[at] = PASSED;
-      return;
-    }
+    const isHit = caster.cast(ray, this.#reach(ray, surface[at + 3]!));
+    if (passed && caster.passed) passed[at / 4] = 1;
+    if (!isHit) return;
     const { normal, colour, at: place } = caster.hit;
     const before = dot3(sub3(place, this.#camera.view.pivot), this.#back);
     if (before <= surface[at + 3]!) return;

@@ -65,8 +65,10 @@ export class Raycaster {
   readonly #size: number;
   #ray: Ray = { from: [0, 0, 0], along: [1, 0, 0], nearest: 0, pixel: 1, growth: 0 };
   readonly hit = new Hit();
-  /** whether the last ray passed a surface by less than `BESIDE` before it met one, if it did */
+  /** whether the last ray passed a surface by less than `BESIDE` before it met one, if it did: it came as near, and went away again */
   passed = false;
+  /** the value next to 0 since the ray has been so near to a surface, without its sign; Infinity: it has not been */
+  #nearest = Infinity;
   readonly #balls: BrickBalls;
 
   constructor({ whole, tally, bricks }: Pick<Located, 'whole' | 'tally' | 'bricks'>) {
@@ -86,8 +88,16 @@ export class Raycaster {
 
   /** Whether the ray meets the surface within `farthest` mm, in which case `hit` says where. */
   cast(ray: Ray, farthest = Infinity): boolean {
-    this.#ray = ray;
     this.passed = false;
+    this.#nearest = Infinity;
+    const isHit = this.#meets(ray, farthest);
+    // nobody saw it go away, but it met nothing
+    if (!isHit && this.#nearest < Infinity) this.passed = true;
+    return isHit;
+  }
+
+  #meets(ray: Ray, farthest: number): boolean {
+    this.#ray = ray;
     const walk = this.#walk;
     if (!walk.begin(ray.from, ray.along, ray.nearest, farthest)) return false;
     const { active } = this.#walked.bricks;
@@ -95,6 +105,8 @@ export class Raycaster {
     let isInside: boolean | null = walk.entered < 0 ? null : false;
     do {
       const near = active[walk.state]?.near ?? null;
+      // nothing is as near in a brick that holds no surface
+      if (walk.state === OUTSIDE && this.#nearest < Infinity) this.passed = true;
       if (isInside === null) isInside = near ? this.#valueAt(near, walk.start) > 0 : walk.state === INSIDE;
       if (near ? this.#through(near, isInside) : walk.state !== (isInside ? INSIDE : OUTSIDE)) {
         return near ? true : this.#border();
@@ -140,7 +152,7 @@ export class Raycaster {
           return this.#between(near, t + clear, t + reached, t + 0.5 * (clear + reached), isInside);
         }
       }
-      if (!this.passed) this.passed = this.#isBeside(near, clear, pixel + growth * t);
+      if (!this.passed) this.#follow(near, Math.abs(value), clear, pixel + growth * t);
       if (t + clear >= stop) return false;
       before = t;
       atBefore = value;
@@ -149,7 +161,18 @@ export class Raycaster {
     }
   }
 
-  /** Whether the surface is so near that a thin body might be missed; `clear`: of the last look. */
+  /**
+   * Once the surface is so near that a thin body might be missed, the value goes on towards 0, or the ray has passed. Whether bounds say so again is no
+   * sign: they differ from brick to brick, and a quarter of all hits would have passed something. So a sum that does not change any more a radius
+   * away from its skels, before a body less than two bricks behind it, is not told.
+   */
+  #follow(near: Near, value: number, clear: number, pixel: number): void {
+    if (this.#nearest < Infinity) this.passed = value > this.#nearest;
+    else if (!this.#isBeside(near, clear, pixel)) return;
+    this.#nearest = value;
+  }
+
+  /** `clear`: of the last look. */
   #isBeside(near: Near, clear: number, pixel: number): boolean {
     if (clear > AHEAD * pixel) return false;
     return (near.around() || clear) < BESIDE * pixel;

@@ -27,6 +27,8 @@ export type Edge = readonly [number, number];
 const WELD = 1e-6;
 /** more than the box has grid lines */
 const ROW = 2097152;
+/** at edges, for each place and edge, before a triangulation is given up; outlines need about ten */
+const LOOKS = 300;
 /** twice the area over the square of the longest side */
 const SLIVER = 1e-9;
 
@@ -75,10 +77,34 @@ export function welded(loops: readonly Loop[]): { points: Vec2[]; rings: number[
 export function constrained(points: readonly Vec2[], edges: readonly Edge[]): Uint32Array | null {
   try {
     const delaunay = Delaunator.from(points as [number, number][]);
-    new Constrainautor(delaunay, edges);
+    new Patient(delaunay, LOOKS * (points.length + edges.length)).constrainAll(edges);
     return delaunay.triangles;
   } catch {
     return null;
+  }
+}
+
+/** What goes round in circles where many places are nearly in a row gives up. */
+class Patient extends Constrainautor {
+  #looks: number;
+
+  constructor(delaunay: Delaunator<ArrayLike<number>>, looks: number) {
+    super(delaunay);
+    this.#looks = looks;
+  }
+
+  protected override intersectSegments(a: number, b: number, c: number, d: number): boolean {
+    this.#look();
+    return super.intersectSegments(a, b, c, d);
+  }
+
+  protected override isDelaunay(edge: number): boolean {
+    this.#look();
+    return super.isDelaunay(edge);
+  }
+
+  #look(): void {
+    if (--this.#looks < 0) throw new Error('the constraints are not met');
   }
 }
 

@@ -3,7 +3,7 @@
  * laid over those of the other, ever lighter. Departure: pictures are blended, not meshes: nothing has to be sorted, no line is
  * drawn twice, and every style fades alike, as long as the camera rests.
  */
-import { float, min, mix, screenUV, texture, uniform, vec4 } from 'three/tsl';
+import { float, max, min, mix, screenUV, texture, uniform, vec4 } from 'three/tsl';
 import {
   CustomBlending,
   type Node,
@@ -29,10 +29,14 @@ export class Fade {
   readonly over: NodeMaterial;
   readonly #from = uniform(-1);
   readonly #to = uniform(2);
+  readonly #lostFrom = uniform(3);
+  readonly #lostTo = uniform(-2);
+  #lost: Known | null = null;
   readonly #opacity = uniform(0);
 
   constructor() {
-    this.over = overMaterial(this.kept, this.#opacity, this.#from, this.#to);
+    const known = [this.#from, this.#to] as const;
+    this.over = overMaterial(this.kept, this.#opacity, known, [this.#lostFrom, this.#lostTo]);
   }
 
   /** Of the picture that is kept, 0–1. */
@@ -42,7 +46,18 @@ export class Fade {
 
   set share(share: number) {
     this.#opacity.value = Math.min(Math.max(share, 0), 1);
-    if (this.share === 0) this.kept.setSize(1, 1);
+    if (!this.isSeen) this.kept.setSize(1, 1);
+  }
+
+  /** Something of the picture that is kept is. */
+  get isSeen(): boolean {
+    return this.share > 0 || this.#lost !== null;
+  }
+
+  /** It goes. */
+  end(): void {
+    this.lost = null;
+    this.share = 0;
   }
 
   /** Rows from the top, 0–1, above and below which nothing else is seen. */
@@ -51,20 +66,30 @@ export class Fade {
     this.#to.value = to < 1 ? to - BORDER : 2;
   }
 
+  /** Rows in which nothing else is seen, whatever the share; null: none. */
+  set lost(rows: Known | null) {
+    this.#lost = rows;
+    this.#lostFrom.value = rows ? rows[0] - BORDER : 3;
+    this.#lostTo.value = rows ? rows[1] + BORDER : -2;
+  }
+
   dispose(): void {
     this.kept.dispose();
     this.over.dispose();
   }
 }
 
+type Rows = readonly [from: Node<'float'>, to: Node<'float'>];
+
 function overMaterial(
   kept: RenderTarget,
   share: Node<'float'>,
-  from: Node<'float'>,
-  to: Node<'float'>,
+  [from, to]: Rows,
+  [lostFrom, lostTo]: Rows,
 ): NodeMaterial {
   const within = min(screenUV.y.sub(from), to.sub(screenUV.y)).div(SOFT).saturate();
-  const opacity = mix(float(1), share, within);
+  const without = max(lostFrom.sub(screenUV.y), screenUV.y.sub(lostTo)).div(SOFT).saturate();
+  const opacity = mix(float(1), share, min(within, without));
   const material = new NodeMaterial();
   material.name = 'the picture before';
   material.depthTest = false;

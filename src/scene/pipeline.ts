@@ -184,6 +184,8 @@ export class Pipeline {
   }
 
   render(camera: ViewCamera, view: View): void {
+    // what images were seen through is of another frame
+    if (this.#refinement.isBegun) this.#fade.end();
     this.#refinement.end();
     this.#sheet = this.#passes(camera, view);
     this.#cover(this.#sheet, this.#output);
@@ -226,8 +228,9 @@ export class Pipeline {
       this.#cover(refinement.shown, this.#output);
     }
     this.#fade.known = known;
+    this.#fade.lost = image.lost ?? null;
     this.#fade.share = 1 - (isPart ? 1 : refinement.count) / enough;
-    if (this.#fade.share > 0) this.#blend(this.#fade.over, this.#output);
+    if (this.#fade.isSeen) this.#blend(this.#fade.over, this.#output);
     this.#finish();
     return true;
   }
@@ -239,6 +242,7 @@ export class Pipeline {
     this.#cover(this.#sheet, this.#fade.kept);
     this.#renderer.setRenderTarget(null);
     this.#fade.share = 1;
+    this.#fade.lost = null;
     this.#fade.known = ALL;
     return true;
   }
@@ -326,7 +330,7 @@ export class Pipeline {
     this.#refinement.end();
     this.#image.rest();
     this.#sheet = null;
-    this.#fade.share = 0;
+    this.#fade.end();
   }
 
   /** Depth is measured over the scene's sphere, so that a threshold means the same at every zoom. */

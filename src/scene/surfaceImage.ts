@@ -19,6 +19,8 @@ export interface SurfaceImage {
   readonly surface: Float32Array | GPUBuffer;
   /** Four f32 a pixel: red green blue (0–1, linear), and 1 + the place among `items`; 0 where there is no surface. */
   readonly colours: Float32Array | GPUBuffer;
+  /** Rows, from … to …, 0–1 from the top, in which triangles are to be seen after all; null: none. */
+  readonly lost?: readonly [from: number, to: number] | null;
   /** of buffers, pixels from row to row, a multiple of 16; the width where there is none */
   readonly stride?: number;
 }

@@ -5,6 +5,7 @@
 import type { Command } from '../document/command/index.ts';
 import type { Document } from '../document/document.ts';
 import type { Placement } from '../math/placement.ts';
+import type { MedialGraph } from '../skeleton/medial/axis.ts';
 import type { Stroke } from '../stroke/stroke.ts';
 import type { Hit, Viewport } from './viewport.ts';
 
@@ -71,6 +72,8 @@ export interface State {
   readonly wet?: Wet;
   readonly band?: Band;
   readonly carried?: Carried;
+  /** as it is under the pen, before it is anybody's */
+  readonly skeleton?: MedialGraph;
   /** A gesture is under way that a moving camera would tear. */
   readonly still?: true;
   /** The document as it would be if the pen were lifted now; null: as it is. */

@@ -47,6 +47,7 @@ scope.onmessage = ({ data }) => {
   }
   if (!working) void work();
 };
+say({ type: 'begun', id: 0 });
 
 async function work(): Promise<void> {
   working = true;

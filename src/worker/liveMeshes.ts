@@ -1,5 +1,6 @@
 /** The bodies that are being edited, by their names, each at its finest. Those that were not asked for longest go where all together are too large. */
 import { LiveMesh } from '../field/liveMesh.ts';
+import { Lately } from './lately.ts';
 
 interface Kept {
   readonly cells: number;
@@ -11,37 +12,31 @@ const MOST = 10_000;
 
 export class LiveMeshes {
   readonly #most: number;
-  /** the one asked for last comes last */
-  readonly #kept = new Map<string, Kept>();
+  readonly #kept = new Lately<Kept>();
 
   constructor(most: number = MOST) {
     this.#most = most;
   }
 
   get names(): readonly string[] {
-    return [...this.#kept.keys()];
+    return this.#kept.names;
   }
 
   /** Of that body in so many cells; null: it is not there. */
   known(name: string, cells: number): LiveMesh | null {
-    const kept = this.#kept.get(name);
+    const kept = this.#kept.known(name);
     return kept?.cells === cells ? kept.mesh : null;
   }
 
   /** The same, or a new one in its place. */
   at(name: string, cells: number): LiveMesh {
     const mesh = this.known(name, cells) ?? new LiveMesh(cells);
-    this.#kept.delete(name);
-    this.#kept.set(name, { cells, mesh });
+    this.#kept.put(name, { cells, mesh });
     return mesh;
   }
 
   /** Lets go of what is too much; the one asked for last stays while it is not too large by itself. */
   trim(): void {
-    let bricks = 0;
-    for (const [name, { mesh }] of [...this.#kept].toReversed()) {
-      bricks += mesh.size;
-      if (bricks > this.#most) this.#kept.delete(name);
-    }
+    this.#kept.trim(this.#most, ({ mesh }) => mesh.size);
   }
 }

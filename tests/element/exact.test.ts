@@ -3,10 +3,12 @@ import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { apply } from '../../src/document/command/index.ts';
 import { type Document, EMPTY_DOCUMENT } from '../../src/document/document.ts';
 import { FRONT_VIEW } from '../../src/document/drawing.ts';
+import type { Caster, CastImages, CastListener } from '../../src/element/caster.ts';
 import { Exact, type Seen, shownBodies } from '../../src/element/exact.ts';
 import { type Castable, RayWorker } from '../../src/element/rayWorker.ts';
 import type { Again, AgainJob, Band, BandJob, Cast, FromExact, ToExact } from '../../src/field/exactWork.ts';
 import { OFFSETS } from '../../src/field/rayEdges.ts';
+import type { RayCamera } from '../../src/field/rayImage.ts';
 import type { Scene, SurfaceImage } from '../../src/scene/index.ts';
 
 /** three bands */
@@ -53,6 +55,47 @@ class FakeWorker implements Castable {
     }
   }
   #answered = 0;
+}
+
+/** All images at once, which count as long as nobody gave them back. */
+class DroppedCaster implements Caster {
+  left = 0;
+  casts = 0;
+  cast(_bodies: unknown, camera: RayCamera, listener: CastListener): CastImages {
+    this.casts++;
+    this.left++;
+    queueMicrotask(() => listener.changed());
+    const image = { camera, items: [] } as unknown as SurfaceImage;
+    return {
+      ...{ count: 5, whole: 5, known: [0, 1], share: 1, evaluationsAPixel: 1, milliseconds: 1 },
+      image: () => image,
+      drop: () => void this.left--,
+    };
+  }
+  lives = 0;
+  live(): SurfaceImage {
+    this.lives++;
+    return { camera: {}, items: [] } as unknown as SurfaceImage;
+  }
+  idles = 0;
+  idle(): void {
+    this.idles++;
+  }
+  stop(): void {}
+  end(): void {}
+}
+
+/** Two images, then as many as the test says. */
+class TakenOver implements Caster {
+  readonly images = {
+    ...{ count: 2, whole: 5, known: [0, 0] as const, share: 0.5, evaluationsAPixel: 1, milliseconds: 1 },
+    image: () => ({ camera: {}, items: [] }) as unknown as SurfaceImage,
+  };
+  cast(): CastImages {
+    return this.images;
+  }
+  stop(): void {}
+  end(): void {}
 }
 
 const NONE = { surface: null, colours: null };
@@ -194,23 +237,106 @@ describe('Exact', () => {
 
   it('gives pictures all images, one after the other, while the screen waits', async () => {
     rested();
-    const first = exact.images(BODIES, FRONT_VIEW, { width: 8, height: 6 });
-    const second = exact.images(BODIES, FRONT_VIEW, { width: 6, height: 8 });
+    const draw = async (images: readonly (() => SurfaceImage)[]) => images.map((image) => image());
+    const first = exact.picture(BODIES, FRONT_VIEW, { width: 8, height: 6 }, draw);
+    const second = exact.picture(BODIES, FRONT_VIEW, { width: 6, height: 8 }, draw);
     await vi.waitFor(() => expect(worker.last.camera.width).toBe(8));
     expect(exact.frame(seen())).toBe(false);
     worker.answer();
-    expect((await first).map((image) => image().camera.offset)).toEqual([[0.5, 0.5], ...OFFSETS]);
+    expect((await first).map(({ camera }) => camera.offset)).toEqual([[0.5, 0.5], ...OFFSETS]);
     await vi.waitFor(() => expect(worker.last.camera.width).toBe(6));
     worker.say({ type: 'refused', id: worker.last.id, message: 'no room' });
     await expect(second).rejects.toThrow('no room');
     rested();
     expect(worker.last.camera).toMatchObject(PIXELS);
-    expect(await exact.images([], FRONT_VIEW, PIXELS)).toEqual([]);
+    expect(await exact.picture([], FRONT_VIEW, PIXELS, draw)).toEqual([]);
+  });
+
+  it('keeps what is whole on the screen while a picture is made, which is of the same images where it shows the same', async () => {
+    rested();
+    worker.answer();
+    for (let i = 0; i < 10; i++) exact.frame(seen());
+    const { length } = await exact.picture(BODIES, FRONT_VIEW, PIXELS, async (images) => images);
+    expect(length).toBe(1 + OFFSETS.length);
+    expect(worker.casts).toBe(1);
+    const other = exact.picture(BODIES, FRONT_VIEW, { width: 8, height: 6 }, async (images) => images);
+    await vi.waitFor(() => expect(worker.casts).toBe(2));
+    // as where somebody draws meanwhile
+    exact.frame(seen({ version: 2 }));
+    worker.answer();
+    await other;
+    expect(exact.frame(seen({ version: 2 }))).toBe(false);
+    refined = 0;
+    vi.advanceTimersByTime(1000);
+    for (let i = 0; i < 10; i++) expect(exact.frame(seen({ version: 2 }))).toBe(true);
+    expect(exact.isWhole).toBe(true);
+    expect(worker.casts).toBe(2);
+  });
+
+  it('begins anew where others take a picture over of which some images were seen', () => {
+    const caster = new TakenOver();
+    exact = new Exact(() => {}, caster);
+    rested();
+    for (let i = 0; i < 3; i++) exact.frame(seen());
+    expect(exact.evaluationsAPixel).toBe(1);
+    caster.images.count = 0;
+    expect(exact.frame(seen())).toBe(false);
+    expect(exact.evaluationsAPixel).toBeNull();
+    expect(exact.share).toBe(0.5);
+    caster.images.count = 5;
+    refined = 0;
+    vi.advanceTimersByTime(1000);
+    for (let i = 0; i < 10; i++) expect(exact.frame(seen())).toBe(true);
+    expect(exact.isWhole).toBe(true);
+  });
+
+  it('gives images back when nobody shows them any more, and not before', async () => {
+    const caster = new DroppedCaster();
+    exact = new Exact(() => {}, caster);
+    rested();
+    for (let i = 0; i < 10; i++) exact.frame(seen());
+    expect(caster.left).toBe(1);
+    const lent = exact.picture(BODIES, FRONT_VIEW, PIXELS, async () => {
+      exact.drop();
+      expect(caster.left).toBe(1);
+    });
+    await lent;
+    expect(caster.left).toBe(0);
+    await exact.picture(BODIES, FRONT_VIEW, PIXELS, async () => expect(caster.left).toBe(1));
+    expect(caster.left).toBe(0);
+    expect(caster.casts).toBe(2);
+  });
+
+  it('keeps what is whole while nothing is wanted, and through pictures, of which the same is cast once', async () => {
+    rested();
+    worker.answer();
+    for (let i = 0; i < 10; i++) exact.frame(seen());
+    exact.rest();
+    const { length } = await exact.picture(BODIES, FRONT_VIEW, PIXELS, async (images) => images);
+    expect(length).toBe(1 + OFFSETS.length);
+    expect(worker.casts).toBe(1);
+    const other = exact.picture(BODIES, FRONT_VIEW, { width: 8, height: 6 }, async (images) => images);
+    await vi.waitFor(() => expect(worker.casts).toBe(2));
+    worker.answer();
+    await other;
+    [refined, drawn] = [0, []];
+    rested();
+    expect(exact.share).toBeNull();
+    for (let i = 0; i < 10; i++) exact.frame(seen());
+    expect(drawn.length).toBe(1 + OFFSETS.length);
+    expect(drawn[0]!.camera).toMatchObject(PIXELS);
+    expect(worker.casts).toBe(2);
+    // not for ever, and not of what is another
+    exact.rest();
+    vi.advanceTimersByTime(100_000);
+    rested();
+    rested(seen({ view: { ...FRONT_VIEW, height: 50 } }));
+    expect(worker.casts).toBe(4);
   });
 
   it('ends its worker, and what waits for it, with the element', async () => {
     rested();
-    const waiting = exact.images(BODIES, FRONT_VIEW, PIXELS);
+    const waiting = exact.picture(BODIES, FRONT_VIEW, PIXELS, async () => {});
     await vi.waitFor(() => expect(worker.casts).toBe(2));
     exact.stop();
     await expect(waiting).rejects.toThrow('given up');
@@ -235,6 +361,31 @@ describe('Exact', () => {
     worker = new FakeWorker();
     rested();
     expect(worker.casts).toBe(1);
+  });
+
+  it('shows what it has as soon as the style is another, and casts nothing for it', () => {
+    const caster = new DroppedCaster();
+    exact = new Exact(() => {}, caster);
+    rested();
+    expect(exact.live(seen())).toBe(true);
+    expect(caster.lives).toBe(0);
+    exact.live(seen({ view: { ...FRONT_VIEW, height: 50 } }));
+    expect(caster.lives).toBe(1);
+  });
+
+  it('is not idle as long as something moves', () => {
+    const caster = new DroppedCaster();
+    exact = new Exact(() => {}, caster);
+    rested();
+    for (let i = 0; i < 10; i++) exact.frame(seen());
+    for (let i = 0; i < 10; i++) {
+      exact.rest();
+      expect(exact.live(seen({ view: { ...FRONT_VIEW, height: 50 } }))).toBe(true);
+      vi.advanceTimersByTime(15_000);
+    }
+    expect(caster.idles).toBe(0);
+    vi.advanceTimersByTime(100_000);
+    expect(caster.idles).toBe(1);
   });
 
   it('has no more rays than can be paid for', () => {

@@ -1,13 +1,15 @@
 /** What a pen points at on a body, from the triangles, against intervals and sums in float64 along the same ray; strokes that start there. */
 import { expect, test } from 'vitest';
 import type { BodyPart } from '../../src/document/document.ts';
-import { pickedOn } from '../../src/element/exactPick.ts';
+import { isCastable, pickedAmong, pickedOn } from '../../src/element/exactPick.ts';
 import { bindField } from '../../src/field/bind.ts';
 import { polygonize } from '../../src/field/polygonize.ts';
-import { place3 } from '../../src/math/placement.ts';
-import { dot3, length3, rotate3, scale3, sub3 } from '../../src/math/tuple.ts';
+import type { RayCamera } from '../../src/field/rayImage.ts';
+import { place3, UNMOVED } from '../../src/math/placement.ts';
+import { dot3, length3, rotate3, scale3, sub3, unrotate3 } from '../../src/math/tuple.ts';
 import type { Vec3 } from '../../src/math/vec.ts';
 import type { Mesh } from '../../src/mesh/mesh.ts';
+import { rayAt } from '../../src/stroke/plane.ts';
 import { firstHit } from '../field/rays.ts';
 import { BONE, body } from '../field/trees.ts';
 
@@ -84,4 +86,75 @@ test('beside an outline, where only triangles are, the place is theirs, and stil
   const picked = pickedOn(hit, PART, ray, { mesh, cells: CELLS });
   expect(picked).toMatchObject(hit);
   expect(picked.skel).not.toBeNull();
+});
+
+const VIEW = { pivot: [10, -5, 3], rotation: [0.1, 0.2, 0, Math.sqrt(0.95)], height: 40 } as const;
+const looking = (fov: number): RayCamera => ({
+  view: { ...VIEW, height: 14, fov },
+  width: 60,
+  height: 40,
+  offset: [0, 0],
+});
+
+test.each([0, 40])('a ray of its own meets the surface, without any triangles, opening %d°', (fov) => {
+  const camera = looking(fov);
+  let hits = 0;
+  for (let i = 0; i < 150; i++) {
+    const at = [4 * (i % 15) + 2.3, 4 * Math.floor(i / 15) + 1.7] as const;
+    const picked = pickedAmong([PART], null, camera, at);
+    const { origin: eye, direction } = rayAt(camera.view, camera, ...at);
+    // 50 mm before the body: without an eye rays start far away
+    const origin = sub3(
+      eye,
+      scale3(direction, dot3(sub3(eye, VIEW.pivot), direction) + (fov === 0 ? 50 : 0)),
+    );
+    const from = unrotate3(PLACEMENT.rotation, sub3(origin, PLACEMENT.translation));
+    const along = unrotate3(PLACEMENT.rotation, direction);
+    const ray = { from, along, nearest: 0, pixel: 1, growth: 0 };
+    const truth = firstHit(field, ray, fov === 0 ? 0 : -15, 100, 1e-4).t;
+    // beside an outline what is within half a pixel is met
+    const off = picked && sub3(picked.point, origin);
+    const aside = off ? length3(sub3(off, scale3(direction, dot3(off, direction)))) : 0;
+    expect(aside).toBeLessThan(0.5 * (14 / 40) * 1.2);
+    if (truth === null) continue;
+    hits++;
+    const exact = [0, 1, 2].map((axis) => from[axis]! + truth * along[axis]!) as unknown as Vec3;
+    expect(length3(sub3(picked!.point, place3(PLACEMENT, exact)))).toBeLessThan(1e-4);
+    expect(dot3(picked!.normal, direction)).toBeLessThan(0.01);
+    expect(picked!.skel).not.toBeNull();
+  }
+  expect(hits).toBeGreaterThan(10);
+});
+
+test('what triangles miss is picked: a needle of a tenth of a pixel, before another body', () => {
+  const needle = {
+    ...PART,
+    id: 'needle',
+    placement: { rotation: [0, 0, 0, 1], translation: [10, -5, 30] },
+    node: { type: 'shape', shape: { type: 'capsule', radius: 0.05, half: 15 } },
+  } as unknown as BodyPart;
+  const camera: RayCamera = { ...looking(0), view: { ...VIEW, rotation: [0, 0, 0, 1], fov: 0 } };
+  let on = 0;
+  for (const x of [29.6, 29.8, 30, 30.2, 30.4])
+    for (const bodies of [[PART, needle], [needle, PART], [needle]])
+      if (pickedAmong(bodies, null, camera, [x, 20])?.id === 'needle') on++;
+  expect(on).toBe(15);
+  expect(pickedAmong([needle], null, camera, [32, 20])).toBeNull();
+});
+
+test('the nearest is picked, be it a body or something else', () => {
+  const camera: RayCamera = { ...looking(0), view: { ...VIEW, rotation: [0, 0, 0, 1], fov: 0 } };
+  const middle = [30, 20] as const;
+  const ball = { ...PART, placement: { ...UNMOVED, translation: [10, -5, 3] }, id: 'ball' } as BodyPart;
+  const round = { ...ball, node: { type: 'shape', shape: { type: 'sphere', radius: 5 } } } as BodyPart;
+  const tube = (z: number) => ({ id: 'tube', point: [10, -5, z], normal: [0, 0, 1] }) as const;
+  expect(pickedAmong([round], tube(9), camera, middle)).toEqual({ ...tube(9), skel: null });
+  expect(pickedAmong([round], tube(7), camera, middle)?.id).toBe('ball');
+  expect(pickedAmong([], tube(7), camera, middle)?.id).toBe('tube');
+});
+
+test('a tree without a field is left to its triangles', () => {
+  const bad = { ...PART, node: { ...NODE, kernel: 'nobody' } } as unknown as BodyPart;
+  expect(isCastable(bad)).toBe(false);
+  expect(isCastable(PART)).toBe(true);
 });

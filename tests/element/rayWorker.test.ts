@@ -64,6 +64,9 @@ class FakeWorker implements Castable {
   say(message: FromExact): void {
     this.onmessage?.call({} as Worker, { data: message } as MessageEvent<FromExact>);
   }
+  begin(): void {
+    this.say({ type: 'begun', id: 0 });
+  }
   fail(message = 'out of memory'): void {
     this.onerror?.call({} as Worker, { message } as ErrorEvent);
   }
@@ -78,7 +81,8 @@ function band({ from, to, ...job }: BandJob): Band {
   const [surface, colours] = [BASE.surface, BASE.colours].map((all) =>
     all.slice(4 * from * width, 4 * to * width),
   );
-  const image = { width, height: to - from, surface: surface!, colours: colours! };
+  const passed = BASE.passed.slice(from * width, to * width);
+  const image = { width, height: to - from, surface: surface!, colours: colours!, passed };
   const places = edgesOf(image, { ...CAMERA, offset: [0.5, 0.5 + from] }).map((at) => at + from * width);
   return { ...job, from, to, places, work: 10, surface: image.surface, colours: image.colours };
 }
@@ -181,6 +185,83 @@ describe('workers that share a picture', () => {
     // the next picture has as many as before
     cast();
     expect(workers.filter(({ ended }) => !ended).length).toBe(4);
+  });
+
+  it.each([
+    [1, 'band', 1],
+    [2, 'band', 2],
+    [4, 'band', 3],
+    [1, 'again', 4],
+    [3, 'again', 5],
+  ] as const)(
+    '%d workers: of a job that kills the others are done, and no third dies of it: %s, seed %d',
+    (count, type, seed) => {
+      const { workers, cast, refused } = pool(count);
+      const next = random(seed);
+      const images = cast();
+      const isDeadly = (job: BandJob | AgainJob | undefined) =>
+        job?.type === type && (job.type === 'band' ? job.from === 16 : job.offset === 1 && job.first === 0);
+      let deaths = 0;
+      for (;;) {
+        const busy = workers.filter(({ todo, ended }) => !ended && todo.length > 0);
+        const worker = busy[Math.floor(next() * busy.length)];
+        if (!worker) break;
+        worker.begin();
+        if (isDeadly(worker.todo[0])) {
+          deaths++;
+          worker.fail();
+        } else worker.step();
+      }
+      expect(deaths).toBe(2);
+      expect(refused).toEqual([]);
+      expect(images.count).toBe(images.whole);
+      expect(images.known).toEqual([0, 1]);
+      const [from, to] = type === 'band' ? [16 / 70, 32 / 70] : [0, 0];
+      expect(images.lost ?? [0, 0]).toEqual([from, to]);
+      for (let i = 0; i < images.whole; i++) {
+        const { surface, lost } = images.image(i);
+        expect(lost).toEqual(images.lost);
+        const all = i === 0 ? BASE : OTHERS[i - 1]!;
+        let other = 0;
+        for (let at = 0; at < CAMERA.width * CAMERA.height; at++) {
+          const row = Math.floor(at / CAMERA.width) / CAMERA.height;
+          if (row >= from && row < to) continue;
+          // where this place of the pixels and their middle meet something else
+          const met = (surface as Float32Array)[4 * at + 3]! > -1e9;
+          if (met !== all.surface[4 * at + 3]! > -1e9) other++;
+        }
+        // but for the edges that nobody could cast
+        if (i === 2 && type === 'again') expect(other).toBeGreaterThan(0);
+        else expect(other).toBe(0);
+      }
+    },
+  );
+
+  it('gives a picture up whose jobs all kill', () => {
+    const { workers, cast, refused } = pool(2);
+    cast();
+    for (let step = 0; step < 50; step++) {
+      const worker = workers.find(({ todo, ended }) => !ended && todo.length > 0);
+      worker?.begin();
+      worker?.fail();
+    }
+    expect(refused).toEqual(['out of memory']);
+    expect(workers.length).toBeLessThan(9);
+  });
+
+  it('tries no more workers after three pictures for which they did not start, until all have rested', () => {
+    const { workers, cast, refused, caster } = pool(2);
+    for (let picture = 1; picture < 6; picture++) {
+      cast();
+      for (const worker of workers.filter(({ ended }) => !ended)) worker.fail('no file');
+      expect(workers.length).toBe(Math.min(2 * picture, 6));
+      expect(refused).toEqual(Array(picture).fill('no file'));
+    }
+    caster.idle();
+    const images = cast();
+    expect(workers.length).toBe(8);
+    run(workers, random(1));
+    expectWhole(images);
   });
 
   it('tells once when all are lost, or one refuses, and can go on', () => {

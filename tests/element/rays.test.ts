@@ -111,9 +111,9 @@ describe('Rays', () => {
 
   it('go over to workers where the device refuses, and stay there', () => {
     rays.use(scene(device));
-    const node = sphere();
-    const images = cast(node);
-    devices[0]!.casts[0]!.refused('no room');
+    const [node, other] = [sphere(), sphere()];
+    const images = cast(other, node);
+    devices[0]!.casts[0]!.refused('no room', [node]);
     expect(told).toEqual([]);
     expect(workers.casts.length).toBe(1);
     Object.assign(workers.images, { count: 3 });
@@ -122,8 +122,14 @@ describe('Rays', () => {
     expect(told).toEqual(['none either']);
     cast(node);
     expect(workers.casts.length).toBe(2);
-    cast(sphere());
+    // only what was refused
+    cast(other);
     expect(devices[0]!.casts.length).toBe(2);
+    // of nobody in particular: of this picture alone
+    devices[0]!.casts[1]!.refused('2 rays were given up');
+    expect(workers.casts.length).toBe(3);
+    cast(other);
+    expect(devices[0]!.casts.length).toBe(3);
   });
 
   it('end with the device, whose successor is asked next; nothing begins anew', () => {

@@ -5,6 +5,7 @@ import { EMPTY_DRAWING } from '../../src/document/drawing.ts';
 import { LIMITS } from '../../src/document/limits.ts';
 import { parse, serialize } from '../../src/document/serialize.ts';
 import { Session } from '../../src/element/session.ts';
+import { TIMINGS } from '../../src/element/timing.ts';
 import { WORDS } from '../../src/element/words.ts';
 import { UNMOVED } from '../../src/math/placement.ts';
 import { strokeAlong } from '../document/strokes.ts';
@@ -52,6 +53,57 @@ describe('a drawing that is full', () => {
     session.commit([{ type: 'removeParts', ids: ['part-1'] }]);
     expect(session.document.parts).toHaveLength(LIMITS.strokes - 1);
     expect(session.notice).toBeNull();
+  });
+});
+
+describe('an outline that crosses itself', () => {
+  const EIGHT = strokeAlong((t) => [40 * Math.sin(6.28 * t + 0.5), 25 * Math.sin(12.56 * t + 1)], {
+    closed: true,
+  });
+
+  it('is told of and marked; either way on leaves the strokes, or takes back only this one', () => {
+    const session = sessionWith(EMPTY_DOCUMENT);
+    session.commit([{ type: 'addStroke', stroke: EIGHT }]);
+    expect(session.notice).toMatchObject({ text: 'The outline crosses itself.', passing: true });
+    expect(session.notice!.marks).toHaveLength(1);
+    const [redraw, join] = session.notice!.actions;
+    join!.run();
+    expect(session.document.draft!.strokes).toHaveLength(1);
+    redraw!.run();
+    expect(session.document.draft).toBeNull();
+  });
+
+  it('is not as a tube', () => {
+    const session = sessionWith({ ...EMPTY_DOCUMENT, tubesOnly: true });
+    session.commit([{ type: 'addStroke', stroke: EIGHT }]);
+    expect(session.notice).toBeNull();
+  });
+});
+
+describe('a solid', () => {
+  const RING = strokeAlong((t) => [30 * Math.cos(6.2 * t), 30 * Math.sin(6.2 * t)], { closed: true });
+
+  it('leaves in the timeline of the page when it was there coarsely and finely', async () => {
+    performance.clearMeasures();
+    const session = sessionWith(EMPTY_DOCUMENT);
+    session.commit([{ type: 'addStroke', stroke: RING }]);
+    await session.bodies.settled();
+    const times = Object.values(TIMINGS).map((name) => performance.getEntriesByName(name));
+    expect(times.map(({ length }) => length)).toEqual([1, 1]);
+    expect(times[0]![0]!.duration).toBeLessThanOrEqual(times[1]![0]!.duration);
+  });
+
+  it('is rough while a slider moves, and only then', () => {
+    const session = sessionWith(EMPTY_DOCUMENT);
+    session.commit([{ type: 'addStroke', stroke: RING, form: 'plate' }]);
+    session.holdSlider();
+    session.setRadius(12, false);
+    expect(session.shown().draft!.isRough).toBe(true);
+    expect(session.shown()).toBe(session.shown());
+    expect(session.shown().brush.radius).toBe(12);
+    session.setRadius(12, true);
+    expect(session.shown()).toBe(session.document);
+    expect(session.document.draft!.isRough).toBeUndefined();
   });
 });
 

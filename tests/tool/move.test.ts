@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { solids } from '../../src/document/build.ts';
-import { middleOfParts, seenParts } from '../../src/document/extent.ts';
+import { boxOfGroup, middleOfParts, seenParts } from '../../src/document/extent.ts';
+import { newHistory } from '../../src/document/history.ts';
 import { type Placement, place3 } from '../../src/math/placement.ts';
 import { cross3, dot3, length3, rotate3, scale3, sub3 } from '../../src/math/tuple.ts';
 import type { Vec2, Vec3 } from '../../src/math/vec.ts';
@@ -9,8 +10,9 @@ import { project } from '../../src/stroke/plane.ts';
 import { footOf } from '../../src/tool/foot.ts';
 import { AXIS, grip, type Handle, penBeside } from '../../src/tool/move.ts';
 import { selecting } from '../../src/tool/select.ts';
+import { figure, solidOf } from '../document/figure.ts';
 import { random } from '../fixtures/random.ts';
-import type { Driver } from './driver.ts';
+import { Driver } from './driver.ts';
 import { anyRotation, balls, exactBall, RADIUS, towardsViewer, tubes } from './scene.ts';
 
 const SEEDS = [1, 2, 3, 4, 5, 6];
@@ -202,5 +204,117 @@ describe('keys', () => {
       expectNear(sub3(carriedBy(hand).translation, expected), [0, 0, 0], 6);
       hand.cancel();
     }
+  });
+});
+
+describe('the ring', () => {
+  const held = (seed: number) => {
+    const hand = balls([12, -7, 20]);
+    hand.view = { ...hand.view, rotation: anyRotation(seed) };
+    hand.select(['part-2']);
+    return { hand, middle: middleOf(hand), at: shown(hand, middleOf(hand)) };
+  };
+  const around = ([x, y]: Vec2, degrees: number, px: number): Vec2 => {
+    const angle = (degrees * Math.PI) / 180;
+    return [x + px * Math.cos(angle), y - px * Math.sin(angle)];
+  };
+
+  it.each(SEEDS)('turns parts as far as the pen goes around their middle, which stays (seed %i)', (seed) => {
+    const { hand, middle, at } = held(seed);
+    take(hand, 'turn', around(at, 20, 150));
+    hand.move(...around(at, 77, 90));
+    const by = carriedBy(hand);
+    expectNear(place3(by, middle), middle);
+    // What lies beside the middle, as one looks, goes around it by as much.
+    const right = rotate3(hand.view.rotation, [10, 0, 0]);
+    const to = shown(hand, place3(by, [middle[0] + right[0], middle[1] + right[1], middle[2] + right[2]]));
+    expectNear(to, around(at, 57, 30));
+    expect(hand.state.carried!.degrees).toBeCloseTo(57, 9);
+    hand.up();
+    expect(hand.document.parts[0]!.placement.rotation).toEqual([0, 0, 0, 1]);
+    hand.undo();
+    expect(hand.document.parts[1]!.placement.rotation).toEqual([0, 0, 0, 1]);
+  });
+
+  it('turns in steps of 15° with Shift, and grows in tenths', () => {
+    const { hand, at } = held(3);
+    const adds = (place: Vec2) => {
+      const pen = { x: place[0], y: place[1], pressure: 0.5, tiltX: 0, tiltY: 0, time: 0, adds: true };
+      hand.state = hand.state.move!([{ ...pen, pointer: 'pen' }], hand) ?? hand.state;
+    };
+    take(hand, 'turn', around(at, 0, 100));
+    adds(around(at, 52, 100));
+    expect(hand.state.carried!.degrees).toBe(45);
+    adds(around(at, 5, 100));
+    expect(carriedBy(hand)).toEqual({ rotation: [0, 0, 0, 1], translation: [0, 0, 0] });
+    hand.cancel();
+    take(hand, 'scale', around(at, 0, 100));
+    adds(around(at, 30, 133));
+    expect(hand.state.carried!.factor).toBeCloseTo(1.3, 9);
+  });
+
+  it.each(SEEDS)('makes parts as much larger as the pen comes away, about their middle (seed %i)', (seed) => {
+    const { hand, middle, at } = held(seed);
+    const size = () => {
+      const { min, max } = bounds(solids(hand.document)[1]!.mesh);
+      return max[0] - min[0];
+    };
+    const before = size();
+    take(hand, 'scale', around(at, 20, 100));
+    hand.move(...around(at, 50, 170));
+    hand.up();
+    expectNear(middleOf(hand), middle, 6);
+    expect(size() / before).toBeCloseTo(1.7, 3);
+    hand.undo();
+    expect(size()).toBe(before);
+  });
+
+  it('that is let go where it was taken does nothing', () => {
+    for (const handle of ['turn', 'scale'] as const) {
+      const { hand, at } = held(1);
+      const { past } = hand.history;
+      take(hand, handle, around(at, 0, 100));
+      hand.move(...around(at, 40, 130));
+      hand.move(...around(at, 0, 100));
+      hand.up();
+      expect(hand.history.past).toBe(past);
+    }
+  });
+
+  it('is turned by degrees and scaled by hundredths with keys', () => {
+    for (const handle of ['turn', 'scale'] as const) {
+      const { hand, middle } = held(2);
+      take(hand, handle, penBeside(hand, handle, middle, 0, 0)!);
+      hand.move(...penBeside(hand, handle, middle, 0, 7)!);
+      const { degrees, factor } = hand.state.carried!;
+      expect(handle === 'turn' ? degrees : factor).toBeCloseTo(handle === 'turn' ? 7 : 1.07, 9);
+    }
+  });
+});
+
+describe('groups of a solid', () => {
+  it('are moved with the plane of their strokes, turned and scaled, and the others stay', () => {
+    const hand = new Driver();
+    hand.history = newHistory(figure());
+    const ear = () => solidOf(hand.document).groups[2]!;
+    const others = () => solidOf(hand.document).groups.filter((group) => group !== ear());
+    hand.select([ear().id]);
+    const before = others();
+    const middle = middleOf(hand);
+    expectNear(middle, [-14, 52, 0]);
+    take(hand, 'view', [300, 200]);
+    hand.move(330, 230);
+    hand.up();
+    expectNear(middleOf(hand), [-4, 42, 0]);
+    take(hand, 'turn', shown(hand, [10, 42, 0]));
+    hand.move(...shown(hand, [-4, 60, 0]));
+    hand.up();
+    expectNear(ear().strokes[0]!.plane.x, [0, 1, 0]);
+    take(hand, 'scale', shown(hand, [6, 42, 0]));
+    hand.move(...shown(hand, [16, 42, 0]));
+    hand.up();
+    expectNear(middleOf(hand), [-4, 42, 0]);
+    expect(boxOfGroup(ear()).max[1] - boxOfGroup(ear()).min[1]).toBeCloseTo(96, 9);
+    expect(others()).toEqual(before);
   });
 });

@@ -1,8 +1,12 @@
 import { beforeEach, describe, expect, it } from 'vitest';
 import { solids } from '../../src/document/build.ts';
+import { itemsOf } from '../../src/document/command/changeParts.ts';
+import { newHistory } from '../../src/document/history.ts';
+import { shapedOf } from '../../src/document/solidNode.ts';
 import { project } from '../../src/stroke/plane.ts';
 import { selecting } from '../../src/tool/select.ts';
 import type { Pen } from '../../src/tool/tool.ts';
+import { figure, solidOf } from '../document/figure.ts';
 import { line } from '../document/strokes.ts';
 import type { Driver } from './driver.ts';
 import { tubes } from './scene.ts';
@@ -178,5 +182,52 @@ describe('a drag over the paper', () => {
     hand.cancel();
     expect(hand.selection).toEqual(['part-2']);
     expect(hand.state).toBe(selecting);
+  });
+});
+
+describe('a solid of several groups', () => {
+  /** Left of 400 px the head of the figure, right of it the eye. */
+  beforeEach(() => {
+    hand.history = newHistory(figure());
+    hand.surface = (x) => {
+      const path = x < 400 ? `parts[0].skels[${bodySkels()}]` : 'parts[1].skels[0]';
+      return { point: [0, 0, 0], normal: [0, 0, 1], id: 'part-1', skel: { path, share: 1 } };
+    };
+  });
+  const bodySkels = () => {
+    const { part, groups } = solidOf(hand.document);
+    return shapedOf(groups[0]!, part.components[0]!)!.skels.length;
+  };
+  const names = () =>
+    itemsOf(hand.document)
+      .filter(({ id }) => hand.selection.includes(id))
+      .map(({ name }) => name);
+
+  it('is taken first, then the group under the pen, then another one', () => {
+    tap(300, 300, { time: 1000 });
+    expect(hand.selection).toEqual(['part-1']);
+    tap(300, 300, { time: 2000 });
+    expect(names()).toEqual(['Head']);
+    tap(500, 300, { time: 3000 });
+    expect(names()).toEqual(['Eye']);
+  });
+
+  it('is what a double tap brings the camera to', () => {
+    tap(300, 300, { time: 1000 });
+    tap(300, 300, { time: 1200 });
+    expect(hand.focused).toEqual([['part-1']]);
+    expect(hand.selection).toEqual(['part-1']);
+  });
+
+  it('moves with a drag, or the group of it that is selected', () => {
+    tap(300, 300, { time: 1000 });
+    tap(500, 300, { time: 2000 });
+    const before = solidOf(hand.document).groups;
+    press(300, 300);
+    hand.move(330, 300);
+    hand.up();
+    const after = solidOf(hand.document).groups;
+    expect(after.slice(0, 3)).toEqual(before.slice(0, 3));
+    expect(after[3]!.strokes[0]!.plane.origin[0]).toBeCloseTo(10, 9);
   });
 });

@@ -1,6 +1,7 @@
 /** What a worker keeps of the bodies that rays were cast onto: parts that are moved are not looked for, of those that are edited little is. */
 import { describe, expect, test } from 'vitest';
 import { bindField } from '../../src/field/bind.ts';
+import type { LiveStep } from '../../src/field/liveField.ts';
 import type { FieldNode, SkelsNode, Term } from '../../src/field/node.ts';
 import type { RayCamera } from '../../src/field/rayImage.ts';
 import { emptyImage, SceneCaster } from '../../src/field/rayScene.ts';
@@ -23,6 +24,20 @@ const row = (middle: number): SkelsNode => ({
 });
 
 const asked = (name: string, key: number, node: FieldNode, cells = 96) => ({ name, key, node, cells });
+
+const CAMERA: RayCamera = {
+  view: { pivot: [0, 0, 0], rotation: [0, 0, 0, 1], height: 24, fov: 0 },
+  width: 96,
+  height: 32,
+  offset: [0.5, 0.5],
+};
+
+function pictureOf(located: LiveStep): Float32Array {
+  const image = emptyImage(CAMERA);
+  const caster = new SceneCaster([{ located, placement: UNMOVED }], CAMERA);
+  for (let y = 0; y < CAMERA.height; y++) caster.row(image, y);
+  return image.surface;
+}
 
 describe('bodies that are kept', () => {
   test('are the same for the same tree, wherever the part is and whatever its name', () => {
@@ -53,14 +68,8 @@ describe('bodies that are kept', () => {
       expect(renewed.size).toBeLessThan(0.25 * anew.bricks);
       expect(tally.work).toBeLessThan(0.3 * anew.work);
       const field = bindField(node);
-      const camera: RayCamera = {
-        view: { pivot: [0, 0, 0], rotation: [0, 0, 0, 1], height: 24, fov: 0 },
-        width: 96,
-        height: 32,
-        offset: [0.5, 0.5],
-      };
-      const image = emptyImage(camera);
-      const caster = new SceneCaster([{ located: { whole, tally, bricks }, placement: UNMOVED }], camera);
+      const image = emptyImage(CAMERA);
+      const caster = new SceneCaster([{ located: { whole, tally, bricks }, placement: UNMOVED }], CAMERA);
       let hits = 0;
       for (let y = 0; y < 32; y++) caster.row(image, y);
       for (let at = 0; at < 96 * 32; at++) {
@@ -73,6 +82,46 @@ describe('bodies that are kept', () => {
       }
       expect(hits).toBeGreaterThan(300);
     }
+  });
+
+  test.each(['first', 'last'])(
+    'of two parts with one tree the one edited %s leaves the other as it was',
+    (order) => {
+      const kept = new LocatedBodies();
+      const [before, after] = [row(0), row(1)];
+      const names = order === 'first' ? ['edited', 'other'] : ['other', 'edited'];
+      const pair = names.map((name) => finished(kept.locating(asked(name, 1, before))));
+      expect(pair[0]).toBe(pair[1]);
+      kept.trim(names);
+      expect(kept.names).toEqual(names);
+      const alone = pictureOf(pair[0]!);
+      // as a worker does it, in the order of the picture
+      for (let edit = 0; edit < 2; edit++) {
+        const all = names.map((name) => {
+          const [key, node] = name === 'other' ? [1, before] : edit === 0 ? [2, after] : [3, row(2)];
+          return { name, step: finished(kept.locating(asked(name, key, node))) };
+        });
+        const [one, two] = all as [(typeof all)[0], (typeof all)[0]];
+        expect(one.step.tally).not.toBe(two.step.tally);
+        for (const { name, step } of all) {
+          if (name === 'other') expect(pictureOf(step)).toEqual(alone);
+          else expect(pictureOf(step)).not.toEqual(alone);
+          // once they are two an edit is one again
+          if (name === 'edited') expect(step.isEdit).toBe(edit === 1);
+          else expect(step).toBe(pair[0]);
+        }
+        kept.trim(names);
+      }
+    },
+  );
+
+  test('a part that is gone keeps no other of its tree from being edited', () => {
+    const kept = new LocatedBodies();
+    for (const name of ['gone', 'a']) finished(kept.locating(asked(name, 1, row(0))));
+    expect(kept.isEdit(asked('a', 2, row(1)))).toBe(false);
+    kept.trim(['a']);
+    expect(kept.names).toEqual(['a']);
+    expect(kept.isEdit(asked('a', 2, row(1)))).toBe(true);
   });
 
   test('are located anew in other cells, and after a tree that has no field', () => {

@@ -11,7 +11,7 @@ const DEGREE = 3;
 const FEWEST = 4;
 const MOST = 32;
 /** of the size, how far the curve may be off the stroke */
-const OFF = 0.006;
+const OFF = 0.008;
 /** places looked at for each control point */
 const LOOKED_AT = 8;
 

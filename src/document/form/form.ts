@@ -9,6 +9,7 @@ import { widthFor } from '../../skeleton/weight.ts';
 import type { Curve } from '../../stroke/curve.ts';
 import type { Brush } from '../document.ts';
 import type { GroupShape } from '../solid.ts';
+import { profileAt } from './profile.ts';
 
 /** What a form is made from. */
 export interface Ink {
@@ -58,15 +59,6 @@ export interface FormKind {
 
 /** Parameters that a kernel has beside its width. */
 export const PLAIN: KernelParams = {};
-
-/** What radii are multiplied by at u, 0–1. */
-export function profileAt({ profile }: GroupShape, u: number): number {
-  const last = profile.length - 1;
-  const x = Math.min(Math.max(u, 0), 1) * last;
-  const i = Math.min(Math.floor(x), Math.max(last - 1, 0));
-  const [a = 1, b = a] = [profile[i], profile[i + 1]];
-  return a + (b - a) * (x - i);
-}
 
 /** mm: radius of a curve at u. Pen pressure counts as for tubes: the brush's own radius at half of it. */
 export const radiusAt = ({ brush, shape }: Ink, curve: Curve, u: number): number =>

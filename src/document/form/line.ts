@@ -7,7 +7,7 @@ import { type FormKind, type Ink, radiiOf, radiusAt, widthForRadii } from './for
 import { chainSkels } from './tubes.ts';
 
 /** of the radius: what is off by less is not seen */
-const OFF = 0.05;
+const OFF = 0.08;
 /** places looked at, and those of a stroke that stay */
 const LOOKED_AT = 240;
 const MOST = 60;

@@ -28,8 +28,8 @@ const FARTHEST = 1.5;
 /** of the largest circle inside: what is narrow is no thicker than it is wide */
 const THICKEST = 0.9;
 /** of half the thickness, and of the size: what simplifying may lose */
-const LOST = 0.03;
-const LOST_OF_SIZE = 0.003;
+const LOST = 0.06;
+const LOST_OF_SIZE = 0.004;
 
 interface Flat {
   readonly loops: Region;

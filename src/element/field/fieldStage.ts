@@ -129,6 +129,8 @@ export class FieldStage {
 
   attach(scene: Scene, reducedMotion: boolean): void {
     this.scene = scene;
+    // images lie on the device of the scene before
+    for (const exact of Object.values(this.#exact)) exact.drop();
     this.rays.use(scene);
     this.#version++;
     scene.rig.reducedMotion = reducedMotion;

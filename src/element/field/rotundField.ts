@@ -77,6 +77,7 @@ export class RotundField extends LitElement {
     this.theme = null;
     this.state = DEFAULT_STATE;
     this.folded = false;
+    this.stage.rays.onRefused = (why) => this.#say(WORDS.raysRefused(why));
   }
 
   // ── life ────────────────────────────────────────────────────────────────────────────────────────────

@@ -93,7 +93,8 @@ export class BodyMaker {
   ): Promise<Bricks> {
     if ('origin' in where) {
       const turn = this.#turn.then(() => this.#found(own, program, bounded, where));
-      this.#turn = turn.catch(() => {});
+      // buffers that the device had no memory for would be taken for good ones by the next
+      this.#turn = turn.catch(() => this.#work.destroy());
       return turn;
     }
     const { lattice, count, grid, lists } = 'lists' in where ? where : packBricks(node, where);
@@ -112,23 +113,25 @@ export class BodyMaker {
     const [stages, scan] = await Promise.all([brickStagesOn(device)(program.ingredients, sizes), this.#scan]);
     for (;;) {
       const rooms = this.#rooms.of(lattice, rowsOf(program));
-      const counters = work.put('counters', new Uint32Array(COUNTERS), USAGE.storage | USAGE.copySource);
-      const { grid, lists } = await taken(device, 'bricks', () => {
+      const { bound, counters } = await taken(device, 'bricks', () => {
+        const counters = work.put('counters', new Uint32Array(COUNTERS), USAGE.storage | USAGE.copySource);
         const encoder = device.createCommandEncoder({ label: 'bricks for rays' });
         const pass = encoder.beginComputePass({ label: 'bricks for rays' });
         const culling = { lattice, stages, bounded, rooms };
         const bound = encodeCulling(device, pass, scan, work, culling, NO_MESH, counters);
         pass.end();
         device.queue.submit([encoder.finish()]);
-        return bound;
+        return { bound, counters };
       });
       const [bytes] = await readBack(device, [counters]);
       const needed = neededRooms(new Uint32Array(bytes!));
       if (!overflows(rooms, needed)) {
         const { cubes, rows } = needed.at(-1)!;
         // headers twice, as they came and in the order of the grid
-        const used = { ...lists!, size: ROW * (2 * rooms.at(-1)!.cubes + rows) };
-        const [ownGrid, ownLists] = copied(device, own, { grid: grid!, lists: used });
+        const used = { ...bound.lists!, size: ROW * (2 * rooms.at(-1)!.cubes + rows) };
+        const [ownGrid, ownLists] = await taken(device, 'bricks', () =>
+          copied(device, own, { grid: bound.grid!, lists: used }),
+        );
         return { lattice, count: cubes, grid: ownGrid!, lists: ownLists! };
       }
       this.#rooms.grow(lattice, needed);

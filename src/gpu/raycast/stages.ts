@@ -1,6 +1,6 @@
 /** The pipelines of the ray-caster; only `cast` is made for the ingredients of a field, the others' modules are the same for all. */
 import { record } from '../../math/record.ts';
-import { shapes } from '../../shape/index.ts';
+import { type ShapeName, shapes } from '../../shape/index.ts';
 import { brickModules } from '../bricks/stages.ts';
 import { type Ingredients, keyOf, namesOf, numberOf } from '../ingredients.ts';
 import { compile, link, type Modules } from '../link.ts';
@@ -93,14 +93,19 @@ export const loadClear = (device: GPUDevice): Promise<GPUComputePipeline> =>
 const rayModules = (ingredients: Ingredients): Modules => ({
   ...brickModules(ingredients),
   distance: '#import raycast/distance\n',
-  isDistance: distances(ingredients),
+  isDistance: `${shapesThat('is_distance', ingredients, isDistance)}${shapesThat('is_convex', ingredients, isConvex)}`,
   'record/rayCamera': RAY_CAMERA.wgsl,
 });
 
-/** Which of the shapes are as far away as their values say. */
-function distances(ingredients: Ingredients): string {
+/** Whether it is as far away as its value says. */
+const isDistance = (name: ShapeName): boolean => shapes[name].exact;
+
+/** Whether minus its value is a convex function. */
+export const isConvex = (name: ShapeName): boolean => isDistance(name) && name !== 'torus';
+
+function shapesThat(named: string, ingredients: Ingredients, are: (name: ShapeName) => boolean): string {
   const cases = namesOf(ingredients, 'shapes').map(
-    (name) => [numberOf('shapes', name), String(shapes[name].exact)] as const,
+    (name) => [numberOf('shapes', name), String(are(name))] as const,
   );
-  return choice('fn is_distance(kind: u32) -> bool', 'kind', cases, 'bool');
+  return choice(`fn ${named}(kind: u32) -> bool`, 'kind', cases, 'bool');
 }

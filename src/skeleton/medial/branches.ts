@@ -1,5 +1,5 @@
 /** A graph of medial circles as chains between its joints and ends. */
-import type { MedialGraph } from './axis.ts';
+import type { MedialGraph, MedialNode } from './axis.ts';
 
 /** Nodes in a row, joints or ends first and last; a ring without a joint has the same node at both. */
 export type Chain = readonly number[];
@@ -60,4 +60,26 @@ export function subgraph({ nodes, links }: MedialGraph, isKept: (node: number) =
     return i === undefined || j === undefined ? [] : [[i, j] as const];
   });
   return { nodes: [...index.keys()].map((old) => nodes[old]!), links: pairs };
+}
+
+/** of the largest radius: no circle counts as less */
+const LEAST = 1e-3;
+
+/** Nodes that are numbers, none much smaller than the others, and links between two of them, each once. */
+export function sound({ nodes, links }: MedialGraph): MedialGraph {
+  const isSound = ({ at, radius }: MedialNode) =>
+    Number.isFinite(at[0]) && Number.isFinite(at[1]) && radius > 0 && radius < Infinity;
+  const kept = [...nodes.keys()].filter((i) => isSound(nodes[i]!));
+  const index = new Map(kept.map((old, i) => [old, i]));
+  const largest = kept.reduce((most, i) => Math.max(most, nodes[i]!.radius), 0);
+  const pairs = new Map<number, readonly [number, number]>();
+  for (const [a, b] of links) {
+    const [i, j] = [index.get(a), index.get(b)];
+    if (i === undefined || j === undefined || i === j) continue;
+    pairs.set(Math.min(i, j) * kept.length + Math.max(i, j), [i, j]);
+  }
+  return {
+    nodes: kept.map((i) => ({ at: nodes[i]!.at, radius: Math.max(nodes[i]!.radius, LEAST * largest) })),
+    links: [...pairs.values()],
+  };
 }

@@ -1,7 +1,7 @@
 /**
  * What each unknown of a fit does at the places of an outline, and what moves of nodes do.
  *
- * By Gauss points along the links: the places are about a radius away, so that six points for three radii of length are right to 1e-4, and
+ * By Gauss points along the links: the places are about a radius away, so that six points for three radii of length are right to .4 %, and
  * one look at the kernel serves both weights, their gradients and the moves of both ends. The exact integrals took ten times as long.
  */
 import type { Kernel, KernelParams } from '../../kernel/kernel.ts';
@@ -16,6 +16,7 @@ export interface Basis {
   readonly value: Float64Array;
   readonly dx: Float64Array;
   readonly dy: Float64Array;
+  readonly dz: Float64Array;
   /** what the field gains as each node moves by a radius, to the right and up; none without weights */
   readonly shifts: Float64Array | null;
 }
@@ -26,7 +27,7 @@ const MOST_PANELS = 6;
 /** kernel units, squared: singular kernels see no less */
 const NEAREST2 = 1e-12;
 
-/** `places` are x, y in turn; `x` are relative weights, for what moves do. */
+/** `places` are x, y, z in turn; `x` are relative weights, for what moves do. */
 export function basisAt(
   graph: MedialGraph,
   layout: Layout,
@@ -37,12 +38,13 @@ export function basisAt(
   x: readonly number[] | null,
 ): Basis {
   const unknowns = layout.nodes.length;
-  const count = places.length / 2;
+  const count = places.length / 3;
   const basis = {
     unknowns,
     value: new Float64Array(count * unknowns),
     dx: new Float64Array(count * unknowns),
     dy: new Float64Array(count * unknowns),
+    dz: new Float64Array(count * unknowns),
     shifts: x ? new Float64Array(count * 2 * graph.nodes.length) : null,
   };
   const size = graph.nodes.reduce((most, { radius }) => Math.max(most, radius), 0);
@@ -94,20 +96,22 @@ class Sight {
   }
 
   addPoint(unknown: number, x: readonly number[] | null): void {
-    const { value, dx, dy, shifts, unknowns } = this.#basis;
+    const { value, dx, dy, dz, shifts, unknowns } = this.#basis;
     const node = this.#layout.nodeOf[unknown]!;
     const { at, radius } = this.#graph.nodes[node]!;
     const scale = this.#scales[unknown]! * this.#whole;
     const gain = x ? -radius * x[unknown]! : 0;
-    for (let place = 0; place < this.#places.length / 2; place++) {
-      const gx = this.#places[2 * place]! - at[0];
-      const gy = this.#places[2 * place + 1]! - at[1];
-      const r2 = Math.max((gx * gx + gy * gy) * this.#per2, NEAREST2);
+    for (let place = 0; place < this.#places.length / 3; place++) {
+      const gx = this.#places[3 * place]! - at[0];
+      const gy = this.#places[3 * place + 1]! - at[1];
+      const gz = this.#places[3 * place + 2]!;
+      const r2 = Math.max((gx * gx + gy * gy + gz * gz) * this.#per2, NEAREST2);
       const own = place * unknowns + unknown;
       const slope = 2 * scale * this.#per2 * this.#kernel.slope(r2, this.#exponent);
       value[own] = scale * this.#kernel.value(r2, this.#exponent);
       dx[own] = slope * gx;
       dy[own] = slope * gy;
+      dz[own] = slope * gz;
       if (!shifts) continue;
       const row = 2 * (place * this.#graph.nodes.length + node);
       shifts[row] = shifts[row]! + gain * slope * gx;
@@ -116,7 +120,7 @@ class Sight {
   }
 
   addLink(a: number, b: number, x: readonly number[] | null): void {
-    const { value, dx, dy, shifts, unknowns } = this.#basis;
+    const { value, dx, dy, dz, shifts, unknowns } = this.#basis;
     const { nodes } = this.#graph;
     const [p, q] = [nodes[a]!, nodes[b]!];
     const [ex, ey] = [q.at[0] - p.at[0], q.at[1] - p.at[1]];
@@ -128,15 +132,16 @@ class Sight {
       this.#scales[b]! * this.#whole * length,
     ];
     const [xa, xb] = x ? [x[a]! * scaleA, x[b]! * scaleB] : [0, 0];
-    for (let place = 0; place < this.#places.length / 2; place++) {
-      const px = this.#places[2 * place]! - p.at[0];
-      const py = this.#places[2 * place + 1]! - p.at[1];
-      let [va, vb, ax, ay, bx, by, mx, my, nx, ny] = [0, 0, 0, 0, 0, 0, 0, 0, 0, 0];
+    for (let place = 0; place < this.#places.length / 3; place++) {
+      const px = this.#places[3 * place]! - p.at[0];
+      const py = this.#places[3 * place + 1]! - p.at[1];
+      const gz = this.#places[3 * place + 2]!;
+      let [va, vb, ax, ay, az, bx, by, bz, mx, my, nx, ny] = [0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0];
       for (let i = 0; i < t.length; i++) {
         const at = t[i]!;
         const gx = px - at * ex;
         const gy = py - at * ey;
-        const r2 = Math.max((gx * gx + gy * gy) * this.#per2, NEAREST2);
+        const r2 = Math.max((gx * gx + gy * gy + gz * gz) * this.#per2, NEAREST2);
         const f = share[i]! * this.#kernel.value(r2, this.#exponent);
         const g = 2 * this.#per2 * share[i]! * this.#kernel.slope(r2, this.#exponent);
         const [ga, gb] = [(1 - at) * g, at * g];
@@ -144,8 +149,10 @@ class Sight {
         vb += at * f;
         ax += ga * gx;
         ay += ga * gy;
+        az += ga * gz;
         bx += gb * gx;
         by += gb * gy;
+        bz += gb * gz;
         const weight = xa * (1 - at) + xb * at;
         mx += weight * ga * gx;
         my += weight * ga * gy;
@@ -159,6 +166,8 @@ class Sight {
       dx[row + b] = dx[row + b]! + scaleB * bx;
       dy[row + a] = dy[row + a]! + scaleA * ay;
       dy[row + b] = dy[row + b]! + scaleB * by;
+      dz[row + a] = dz[row + a]! + scaleA * az;
+      dz[row + b] = dz[row + b]! + scaleB * bz;
       if (!shifts) continue;
       // the piece grows as its end moves outwards
       const grown = (xa * va + xb * vb) / (length * length);

@@ -11,6 +11,7 @@ import { FITTING, type FitOptions, type Fitted, fitWeights } from './fit.ts';
 import { along, type Loop, roundOf, sizeOf, spaced } from './outline.ts';
 import { PRUNING, type PruneOptions, prune, prunings } from './prune.ts';
 import { prunePaper } from './prunePaper.ts';
+import { sampledLoops } from './sampled.ts';
 import { SIMPLIFYING, type SimplifyOptions, simplify } from './simplify.ts';
 import { widthOf } from './width.ts';
 
@@ -33,8 +34,9 @@ export function skeletonOf(
   return simplify(prune(axis, fine, options), options);
 }
 
-/** As Tai et al. 2004 have it, from places as far apart as they are: about twenty to a hundred. */
-export const skeletonPaper = (loops: readonly Loop[]): MedialGraph => prunePaper(medialAxis(held(loops)));
+/** As Tai et al. 2004 have it, from places as theirs. */
+export const skeletonPaper = (loops: readonly Loop[]): MedialGraph =>
+  prunePaper(medialAxis(sampledLoops(held(loops))));
 
 /** Of the outline by evenly spaced places, more where it is thin; with its corners where they would cross. */
 function axisOf(
@@ -50,7 +52,9 @@ function axisOf(
   const radii = axis.nodes.map(({ radius }) => radius).sort((a, b) => a - b);
   const thin = radii[Math.floor(radii.length / 4)] ?? 0;
   const wanted = Math.min(roundOf(loops) / (SPACING * thin), MOST_PLACES);
-  return count >= PLACES && wanted > 1.3 * count && thin > 0 ? axisOf(loops, wanted) : { axis, fine };
+  return count === PLACES && wanted > 1.3 * count && thin > HELD * sizeOf(loops)
+    ? axisOf(loops, wanted)
+    : { axis, fine };
 }
 
 export interface Silhouette extends Fitted {
@@ -67,7 +71,8 @@ function fitted(
   options: FitOptions,
   count: number,
 ): Silhouette {
-  const places = spaced(loops, Math.max(count, PER_NODE * skeleton.nodes.length), FEWEST).flat();
+  const wanted = Math.min(PER_NODE * skeleton.nodes.length, 2 * FITTED);
+  const places = spaced(loops, Math.max(count, wanted), FEWEST).flat();
   return { ...fitWeights(skeleton, places, kernel, params, threshold, options), params };
 }
 
@@ -91,7 +96,7 @@ export interface SilhouetteOptions {
   readonly width?: 'fitted' | 'given';
   /** while the pen moves: one skeleton, whose nodes stay: thirty forms are off by 0.74 % in the mean (0.23), in a quarter of the time */
   readonly quick?: boolean;
-  /** the skeleton by our rules, or by those of Tai et al. 2004, for which loops should be sampled as theirs (`outlineOf`) */
+  /** by our rules, or by those of Tai et al. 2004 */
   readonly skeleton?: 'ours' | 'paper';
 }
 
@@ -103,6 +108,10 @@ const DETAIL: readonly { readonly branch: number; readonly few: SimplifyOptions 
 ];
 /** of the longer side of the outline, where it is off most but for corners */
 const ENOUGH = 0.01;
+/** of the same: what has no larger circle is a line */
+const HELD = 1e-5;
+/** nodes: a finer skeleton does not have more, which would take long for little */
+const MANY = 60;
 /** share by which a finer skeleton has to be nearer */
 const BETTER = 0.1;
 
@@ -118,16 +127,18 @@ export function silhouetteOf(
   { width = 'fitted', quick = false, skeleton = 'ours' }: SilhouetteOptions = {},
 ): Silhouette | null {
   const whole = held(loops);
+  const size = sizeOf(whole);
   let best: Silhouette | null = null;
   const skeletons = skeleton === 'paper' ? [() => skeletonPaper(whole)] : skeletonsOf(whole, quick);
   for (const make of skeletons) {
     const graph = make();
-    if (!graph.nodes.some(({ radius }) => radius > 0)) return null;
+    if (best && graph.nodes.length > MANY) break;
+    if (!graph.nodes.some(({ radius }) => radius > HELD * size)) return null;
     const own = width === 'given' ? params : widthOf([graph], kernel, params);
     const options = quick ? { ...FITTING, moves: 0 } : FITTING;
     const found = fitted(graph, whole, kernel, own, threshold, options, quick ? QUICK : FITTED);
     if (!best || found.nearly < (1 - BETTER) * best.nearly) best = found;
-    if (found.nearly <= ENOUGH * sizeOf(whole)) break;
+    if (found.nearly <= ENOUGH * size) break;
   }
   return best;
 }
@@ -135,6 +146,7 @@ export function silhouetteOf(
 function skeletonsOf(loops: readonly Loop[], quick: boolean): readonly (() => MedialGraph)[] {
   const levels = quick ? DETAIL.slice(1, 2) : DETAIL;
   const { axis, fine } = axisOf(loops, quick ? QUICK : PLACES);
+  if (!axis.nodes.some(({ radius }) => radius > HELD * sizeOf(loops))) return [];
   const branches = levels.map(({ branch }) => branch);
   return prunings(axis, fine, branches).map((make, level) => () => simplify(make(), levels[level]!.few));
 }

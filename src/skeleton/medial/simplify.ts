@@ -23,9 +23,21 @@ export const SIMPLIFYING: SimplifyOptions = { deviation: 0.08, longest: 2.5, joi
 /** of the largest radius of a chain: below it radii count as this, or tips would get a circle a hair */
 const LEAST = 0.4;
 
+/** of a skeleton, as long as fewer joints and ends do: what is as thin as a hair is not followed at every width */
+const MOST_NODES = 80;
+/** by how much pieces grow until they are few enough */
+const COARSER = 1.6;
+
 export function simplify(graph: MedialGraph, options: SimplifyOptions = SIMPLIFYING): MedialGraph {
   const joined = joinJoints(graph, options.joints);
-  const chains = chainsOf(joined).map((chain) => thinned(joined.nodes, chain, options));
+  const whole = chainsOf(joined);
+  let { deviation, longest } = options;
+  let chains = whole;
+  for (let tries = 0; tries < 12; tries++) {
+    chains = whole.map((chain) => thinned(joined.nodes, chain, { ...options, deviation, longest }));
+    if (new Set(chains.flat()).size <= MOST_NODES) break;
+    [deviation, longest] = [COARSER * deviation, COARSER * longest];
+  }
   const used = [...new Set(chains.flat())];
   const index = new Map(used.map((old, i) => [old, i]));
   const links = chains.flatMap((chain) =>
@@ -92,36 +104,43 @@ function deviation(node: MedialNode, a: MedialNode, b: MedialNode): number {
   return Math.max(aside, Math.abs(node.radius - (a.radius + t * (b.radius - a.radius))));
 }
 
-/** A short chain between two joints becomes the larger of them, as long as there is one. */
+/** Short chains between two joints become the larger of them, as long as there are any; rings stay. */
 function joinJoints(graph: MedialGraph, share: number): MedialGraph {
-  const joints = new Set<number>();
   const chains = chainsOf(graph);
   const ends = new Map<number, number>();
+  const between = new Map<number, number>();
+  const key = (chain: Chain) => {
+    const [a, b] = [chain[0]!, chain.at(-1)!];
+    return Math.min(a, b) * graph.nodes.length + Math.max(a, b);
+  };
   for (const chain of chains) {
     for (const end of [chain[0]!, chain.at(-1)!]) ends.set(end, (ends.get(end) ?? 0) + 1);
+    between.set(key(chain), (between.get(key(chain)) ?? 0) + 1);
   }
-  for (const [node, count] of ends) if (count > 2) joints.add(node);
-  const short = chains.find(([first, ...rest]) => {
-    const last = rest.at(-1);
-    if (last === undefined || last === first || !joints.has(first!) || !joints.has(last)) return false;
-    const [a, b] = [graph.nodes[first!]!, graph.nodes[last]!];
-    const isRing = chains.some((other) => other.length !== rest.length + 1 && sameEnds(other, first!, last));
-    return !isRing && length2(sub2(a.at, b.at)) < share * Math.max(a.radius, b.radius);
+  const touched = new Set<number>();
+  const short = chains.filter((chain) => {
+    const [first, last] = [chain[0]!, chain.at(-1)!];
+    if (first === last || !(ends.get(first)! > 2 && ends.get(last)! > 2)) return false;
+    const [a, b] = [graph.nodes[first]!, graph.nodes[last]!];
+    if (between.get(key(chain))! > 1 || touched.has(first) || touched.has(last)) return false;
+    if (!(length2(sub2(a.at, b.at)) < share * Math.max(a.radius, b.radius))) return false;
+    touched.add(first).add(last);
+    return true;
   });
-  return short ? joinJoints(merged(graph, short), share) : graph;
+  return short.length > 0 ? joinJoints(merged(graph, short), share) : graph;
 }
 
-const sameEnds = (chain: Chain, a: number, b: number): boolean =>
-  (chain[0] === a && chain.at(-1) === b) || (chain[0] === b && chain.at(-1) === a);
-
-function merged({ nodes, links }: MedialGraph, chain: Chain): MedialGraph {
-  const [a, b] = [chain[0]!, chain.at(-1)!];
-  const into = nodes[a]!.radius >= nodes[b]!.radius ? a : b;
-  const gone = new Set(chain.filter((node) => node !== into));
-  const index = new Map(nodes.flatMap((_, i) => (gone.has(i) ? [] : [i])).map((old, i) => [old, i]));
-  const to = (node: number) => index.get(gone.has(node) ? into : node)!;
+function merged({ nodes, links }: MedialGraph, chains: readonly Chain[]): MedialGraph {
+  const into = new Map<number, number>();
+  for (const chain of chains) {
+    const [a, b] = [chain[0]!, chain.at(-1)!];
+    const stays = nodes[a]!.radius >= nodes[b]!.radius ? a : b;
+    for (const node of chain) if (node !== stays) into.set(node, stays);
+  }
+  const index = new Map(nodes.flatMap((_, i) => (into.has(i) ? [] : [i])).map((old, i) => [old, i]));
+  const to = (node: number) => index.get(into.get(node) ?? node)!;
   const kept = links.map(([i, j]) => [to(i), to(j)] as const).filter(([i, j]) => i !== j);
-  return { nodes: nodes.filter((_, i) => !gone.has(i)), links: unique(kept) };
+  return { nodes: nodes.filter((_, i) => !into.has(i)), links: unique(kept) };
 }
 
 function unique(links: readonly (readonly [number, number])[]): (readonly [number, number])[] {

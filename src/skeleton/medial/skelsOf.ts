@@ -2,6 +2,7 @@
  * Skels of a graph of circles: a segment a link with its weight linear between the nodes', and points where a line alone would not do: at free
  * ends, joints, and where circles are larger than all their neighbours (the round head on a thin neck).
  */
+import { distance2 } from '../../math/tuple.ts';
 import type { Vec3 } from '../../math/vec.ts';
 import type { PointSkel, SegmentSkel, Skel } from '../skels.ts';
 import type { MedialGraph, MedialNode } from './axis.ts';
@@ -31,7 +32,8 @@ export function layoutOf({ nodes, links }: MedialGraph): Layout {
   const near = neighboursOf({ nodes, links });
   const isLargest = (i: number) => near[i]!.every((other) => nodes[other]!.radius <= nodes[i]!.radius);
   const points = nodes.flatMap((_, i) => (near[i]!.length !== 2 || isLargest(i) ? [i] : []));
-  const segments = links.map(
+  const apart = links.filter(([a, b]) => distance2(nodes[a]!.at, nodes[b]!.at) > 0);
+  const segments = apart.map(
     ([a, b]): Part => ({
       skel: (weights) => segmentOf(nodes[a]!, nodes[b]!, weights),
       unknowns: [a, b],

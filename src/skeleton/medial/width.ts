@@ -9,29 +9,27 @@ import { length2, sub2 } from '../../math/tuple.ts';
 import { reach } from '../binding.ts';
 import { widthFor } from '../weight.ts';
 import type { MedialGraph } from './axis.ts';
+import { sound } from './branches.ts';
 
 /** widths are made for radii smaller than they are by this: s R = 3.2 */
 const SHARPER = 4;
 /** largest radii in a support; at 1.2 the thirty outlines are half as far off again */
 const SUPPORT = 1.07;
-/** what a kernel without a support is where the form is widest, at least, or weights would have no bounds */
-const FAINT = 1e-6;
+/** what a kernel without a support is where the form is widest, at least: at 1e-6 of the Gaussian kernel thirty outlines are off by .78 %, so by .31 */
+const FAINT = 1e-3;
 /** of the length of a skeleton: what is thinner is a tip, and no limb */
 const TIPS = 0.15;
 /** pieces a link */
 const PIECES = 8;
 
 /** The width for all these skeletons in one sum; kernels that have none, and nothing, leave `params` as they are. */
-export function widthOf(
-  skeletons: readonly MedialGraph[],
-  kernel: Kernel,
-  params: KernelParams,
-): KernelParams {
+export function widthOf(graphs: readonly MedialGraph[], kernel: Kernel, params: KernelParams): KernelParams {
+  const skeletons = graphs.map(sound);
   const thin = skeletons.reduce((least, skeleton) => Math.min(least, thinnest(skeleton)), Infinity);
   const radii = skeletons.flatMap(({ nodes }) => nodes.map(({ radius }) => radius));
   const largest = radii.reduce((most, radius) => Math.max(most, radius), 0);
   if (kernel.homogeneity !== 0 || !(largest > 0)) return params;
-  const wanted = widthFor(kernel, params, Math.max(thin, LEAST * largest) / SHARPER);
+  const wanted = widthFor(kernel, params, thin / SHARPER);
   const unit = kernel.unit(wanted, largest);
   const { n = 4 } = wanted;
   const needed =
@@ -39,11 +37,8 @@ export function widthOf(
       ? (SUPPORT * largest) / kernel.support
       : largest / reach((r2) => kernel.value(r2, n), FAINT, kernel.support);
   if (unit >= needed) return wanted;
-  return widthFor(kernel, params, (Math.max(thin, LEAST * largest) / SHARPER) * (needed / unit));
+  return widthFor(kernel, params, (thin / SHARPER) * (needed / unit));
 }
-
-/** of the largest radius */
-const LEAST = 1e-3;
 
 /** mm: the radius that all but the tips of a skeleton have; Infinity where there is none. */
 export function thinnest({ nodes, links }: MedialGraph): number {

@@ -31,7 +31,7 @@ describe.each(KERNELS)('plates of the kernel %s', (kernel) => {
     'follow the stroke: %s',
     (name) => {
       const found = formed(form, loopInk(SHAPES[name]!), kernel)!;
-      expect(off(found, SHAPES[name]!).mean).toBeLessThan(0.006);
+      expect(off(found, SHAPES[name]!).mean).toBeLessThan(name === 'box' ? 0.009 : 0.004);
       expect(found.shaped.skeleton.nodes.length).toBeLessThan(120);
     },
   );

@@ -1,8 +1,11 @@
 /** Surfaces of fitted skels against the outlines that they were made from. */
 import { describe, expect, it } from 'vitest';
 import { kernelNamed } from '../../../src/kernel/index.ts';
+import { bindSkel } from '../../../src/skeleton/index.ts';
+import { neighboursOf } from '../../../src/skeleton/medial/branches.ts';
 import { FITTING } from '../../../src/skeleton/medial/fit.ts';
 import { infer, inferPaper } from '../../../src/skeleton/medial/infer.ts';
+import { distanceTo } from '../../../src/skeleton/medial/outline.ts';
 import { silhouetteOf, silhouetteSkels, skeletonOf } from '../../../src/skeleton/medial/silhouette.ts';
 import type { Skel } from '../../../src/skeleton/skels.ts';
 import { blob, disc, plate, SHAPES, stadium } from '../../fixtures/silhouettes.ts';
@@ -37,7 +40,7 @@ describe('fitWeights', () => {
       return outlineError(skels, loops, cauchy, params, 1).mean;
     });
     for (const mean of means) expect(mean).toBeLessThan(0.01);
-    expect(means.reduce((a, b) => a + b, 0) / means.length).toBeLessThan(0.005);
+    expect(means.reduce((a, b) => a + b, 0) / means.length).toBeLessThan(0.004);
   });
 
   it('there is none where the outline holds nothing', () => {
@@ -76,8 +79,46 @@ describe('fitWeights', () => {
     expect(fitted(SHAPES.ring!).error.mean).toBeLessThan(0.1 * still.error.mean);
   });
 
-  it('works with a kernel that has a support', () => {
-    expect(fitted([stadium(30, 10)], quartic).error.mean).toBeLessThan(0.01);
+  it('a kernel with a support follows a stadium within 0.7 % and a circle within 1 %', () => {
+    expect(fitted([stadium(30, 10)], quartic).error.most).toBeLessThan(0.007);
+    expect(fitted([disc(30)], quartic).error.most).toBeLessThan(0.01);
+  });
+
+  it.each(['star', 'cross', 'box', 'hand', 'plate with two holes'])(
+    '%s: at joints the surface is as thick as the form is wide, and no bulge',
+    (name) => {
+      const loops = SHAPES[name]!;
+      const { graph, skels, params } = silhouetteOf(loops, cauchy, initial(cauchy), 1)!;
+      const fields = skels.map((skel) => bindSkel(skel, cauchy, params));
+      const thick = graph.nodes.map(({ at }) => {
+        let [low, high] = [0, 100];
+        for (let i = 0; i < 40; i++) {
+          const z = (low + high) / 2;
+          if (fields.reduce((sum, field) => sum + field.value(at[0], at[1], z), 0) > 1) low = z;
+          else high = z;
+        }
+        return low / distanceTo(at, loops);
+      });
+      neighboursOf(graph).forEach((others, joint) => {
+        if (others.length < 3) return;
+        const around = Math.max(1, ...others.map((other) => thick[other]!));
+        expect(thick[joint]!).toBeGreaterThan(0.7);
+        expect(thick[joint]!).toBeLessThan(1.05 * around);
+      });
+    },
+  );
+
+  it('quick ones are nearly as near', () => {
+    const errors = [...Object.values(SHAPES), [blob(1)], [blob(6)]].map((loops) => {
+      const { skels, params } = silhouetteOf(loops, cauchy, initial(cauchy), 1, { quick: true })!;
+      return outlineError(skels, loops, cauchy, params, 1).mean;
+    });
+    expect(errors.reduce((a, b) => a + b, 0) / errors.length).toBeLessThan(0.012);
+  });
+
+  it('a width that is given stays', () => {
+    const found = silhouetteOf(SHAPES.star!, cauchy, { s: 0.1 }, 1, { width: 'given' })!;
+    expect(found.params).toEqual({ s: 0.1 });
   });
 
   it.each([11, 12, 13])(

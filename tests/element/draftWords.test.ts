@@ -1,0 +1,84 @@
+/** What is said of an unfinished form: of what it is, and of what it joins. */
+import { describe, expect, it } from 'vitest';
+import { apply, type Command } from '../../src/document/command/index.ts';
+import { type Document, EMPTY_DOCUMENT } from '../../src/document/document.ts';
+import { chipSize, formChoices } from '../../src/element/chip.ts';
+import {
+  fact,
+  joinWord,
+  keptWords,
+  previewWords,
+  shortName,
+  startedOn,
+} from '../../src/element/draftWords.ts';
+import { strokeAlong } from '../document/strokes.ts';
+
+const ring = (radius: number) =>
+  strokeAlong((t) => [radius * Math.cos(6.2 * t), radius * Math.sin(6.2 * t)], { closed: true });
+const LINE = strokeAlong((t) => [30 * t, 10 * t]);
+const INTO = { solid: 'part-1', component: 'component-2' };
+
+const after = (...commands: Command[]): Document => commands.reduce(apply, EMPTY_DOCUMENT);
+const body: readonly Command[] = [{ type: 'addStroke', stroke: ring(40) }, { type: 'keep' }];
+
+describe('an outline', () => {
+  it('is a soft solid with so many holes, and may be something else', () => {
+    const one = after({ type: 'addStroke', stroke: ring(40) });
+    expect([previewWords(one), shortName(one), fact(one)]).toEqual([
+      'Soft solid, preview',
+      'Soft solid',
+      '1 stroke',
+    ]);
+    expect(formChoices(one)).toEqual(['soft', 'plate', 'ring', 'tube']);
+    const two = apply(one, { type: 'addStroke', stroke: ring(10) });
+    expect(fact(two)).toBe('1 hole');
+    const plate = apply(two, { type: 'setForm', form: 'plate' });
+    expect([previewWords(plate), fact(plate)]).toEqual(['Plate, preview', '12 mm thick']);
+    expect(keptWords(plate)).toBe('Plate added, part 1');
+  });
+
+  it('may carve, blend, sit on or stand beside what it starts on', () => {
+    const joining = after(...body, { type: 'addStroke', stroke: ring(20), joins: INTO });
+    expect(formChoices(joining)).toContain('carve');
+    expect([previewWords(joining), fact(joining), joinWord(joining)]).toEqual([
+      'Soft solid, preview. Joins Solid 1',
+      'joins Solid 1',
+      'blend',
+    ]);
+    expect(keptWords(joining)).toBe('Soft solid added to Solid 1');
+    const sitting = apply(joining, { type: 'setForm', joins: { ...INTO, component: null } });
+    expect([fact(sitting), joinWord(sitting)]).toEqual(['sits on Solid 1', 'attach']);
+    expect(startedOn(sitting)!.joins).toEqual(INTO);
+    const carving = apply(joining, { type: 'setForm', carves: true });
+    expect(previewWords(carving)).toBe('Carving, preview. Takes away from Solid 1');
+    expect(keptWords(carving)).toBe('Solid 1 carved');
+    expect(joinWord(apply(joining, { type: 'setForm', joins: null }))).toBe('apart');
+  });
+
+  it('is what it starts on no more when that is hidden or gone', () => {
+    const joining = after(...body, { type: 'addStroke', stroke: ring(20), joins: INTO });
+    for (const command of [
+      { type: 'removeParts', ids: ['part-1'] },
+      { type: 'showParts', ids: ['part-1'], visible: false },
+    ] as const) {
+      const lone = apply(joining, command);
+      expect(startedOn(lone)).toBeNull();
+      expect(previewWords(lone)).toBe('Soft solid, preview');
+    }
+  });
+});
+
+it('an open stroke may be a line or a curve; two of them are sides of one form, and a point is a point', () => {
+  const one = after({ type: 'addStroke', stroke: LINE });
+  expect(formChoices(one)).toEqual(['tube', 'line', 'curve']);
+  expect(fact(apply(one, { type: 'setForm', form: 'line' }))).toBe('6 mm radius');
+  expect(formChoices(apply(one, { type: 'addStroke', stroke: LINE }))).toEqual([]);
+  expect(formChoices(after({ type: 'addStroke', stroke: LINE, form: 'point' }))).toEqual([]);
+});
+
+it('the chip is as wide as its choices', () => {
+  const widths = [after({ type: 'addStroke', stroke: LINE }), after({ type: 'addStroke', stroke: ring(9) })];
+  const [line, outline] = widths.map((document) => chipSize(document, { width: 1200, height: 800 }));
+  expect(outline!.width).toBeGreaterThan(line!.width);
+  expect(chipSize(widths[1]!, { width: 800, height: 800 }).width).toBeLessThan(outline!.width);
+});
