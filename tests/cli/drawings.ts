@@ -15,7 +15,11 @@ export const kept = (...strokes: readonly Stroke[]): Command[] => [
 export const BALL: readonly Command[] = kept(halfCircle(50, -1), halfCircle(50, 1));
 
 /** A ring: radius 40 mm, of a tube of 5 mm. */
-export const RING: readonly Command[] = [{ type: 'setBrush', change: { radius: 5 } }, ...kept(circle(40))];
+export const RING: readonly Command[] = [
+  { type: 'setBrush', change: { radius: 5 } },
+  { type: 'addStroke', stroke: circle(40), form: 'tube' },
+  { type: 'keep' },
+];
 
 /** A tube without ends. */
 export const PIPE: readonly Command[] = [
