@@ -1,7 +1,6 @@
 /** What can be done with the selected parts: at the lower edge while there is no unfinished form that asks first. */
 import { html, nothing, type TemplateResult } from 'lit';
 import { CLAY } from '../document/build.ts';
-import { partsWith } from '../document/chosen.ts';
 import { nameOf } from '../document/command/changeParts.ts';
 import { mirrorOf } from '../document/mirror.ts';
 import { type Actions, iconButton } from './controls.ts';
@@ -32,7 +31,7 @@ export function actionsBar(session: Session, actions: Actions): TemplateResult |
       body: html`<span class="swatch">${ball('toon', chosenColour(session) ?? CLAY)}</span>`,
     })}
     ${iconButton(hidden ? 'eye' : 'eyeOff', hidden ? action.show : action.hide, () => hideSelection(session), { key: 'H', class: 'elsewhere least' })}
-    ${hidden ? nothing : iconButton('focus', action.focus, () => session.focus(partsWith(document, selection).map(({ id }) => id)), { class: 'elsewhere' })}
+    ${hidden ? nothing : iconButton('focus', action.focus, () => session.focus(selection), { class: 'elsewhere' })}
     ${iconButton('duplicate', action.duplicate, () => duplicateSelection(session), { shortcut: 'Control+D' })}
     ${hidden ? nothing : mirrors(session)}
     ${selectedSkeleton(session) ? iconButton('skeleton', SKELETON_WORDS.show, () => toggleSkeleton(session), { key: 'K', pressed: isSkeletonOn(session) }) : nothing}

@@ -190,7 +190,7 @@ export abstract class SketchApi extends LitElement {
     }
   }
 
-  /** Ids of the selected parts. */
+  /** Ids of the selected parts, and of components and groups that are selected within solids. */
   get selection(): readonly string[] {
     return this.session.selection;
   }
@@ -273,7 +273,7 @@ export abstract class SketchApi extends LitElement {
     this.run({ ...intent, type: 'addStroke', stroke: strokeOf(stroke, this.document) as Stroke });
   }
 
-  /** Selects these parts and no others; ids that no part has are left out. */
+  /** Selects these parts, or components and groups of solids, and no others; ids that nothing has are left out. */
   select(ids: readonly string[]): void {
     this.session.select(checkedIds(ids));
   }

@@ -1,5 +1,6 @@
 /** What hands, keys and the view ball do to the camera. Nothing moves while the pen is down: it would tear the stroke. */
 import { draftSolids, solids } from '../document/build.ts';
+import { partsWith } from '../document/chosen.ts';
 import type { Vec3 } from '../math/vec.ts';
 import { bounds } from '../mesh/measure.ts';
 import type { Box, Mesh } from '../mesh/mesh.ts';
@@ -43,9 +44,11 @@ export class CameraMoves {
     this.#move((rig) => rig.fit(boxOf(meshes), animate, this.#session.margins()));
   }
 
-  /** Comes to where these parts fill the picture. */
+  /** Comes to where these parts, or those that these groups are in, fill the picture. */
   show(ids: readonly string[]): void {
-    const meshes = solids(this.#session.document).filter(({ id }) => ids.includes(id));
+    const { document } = this.#session;
+    const wanted = new Set(partsWith(document, ids).map(({ id }) => id));
+    const meshes = solids(document).filter(({ id }) => wanted.has(id));
     if (meshes.length > 0) {
       const box = boxOf(meshes.map(({ mesh }) => mesh));
       this.#move((rig) => rig.fit(box, true, this.#session.margins()));

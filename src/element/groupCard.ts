@@ -14,6 +14,7 @@ import { kernels } from '../kernel/index.ts';
 import type { Kernel } from '../kernel/kernel.ts';
 import { radiusToSlider, roving, sliderToRadius } from './controls.ts';
 import { icon } from './icons.ts';
+import { toggle } from './panelFrame.ts';
 import { joinSelection } from './partDeeds.ts';
 import { iconOf } from './partRows.ts';
 import { profileEditor } from './profileEditor.ts';
@@ -114,7 +115,16 @@ function depths(session: Session, groups: readonly Group[], of: string): Templat
     });
   return html`${slider('depth', SOLID_WORDS.depthHint, ratios(0.2, 5), percent)}
     ${slider('breadth', SOLID_WORDS.breadthHint, ratios(0.2, 5), percent)}
-    ${slider('weight', SOLID_WORDS.weightHint, even(-3, 3, 0.05), (weight) => String(weight))}`;
+    ${carving(session, groups)} ${slider('weight', SOLID_WORDS.weightHint, even(-3, 3, 0.05), (weight) => String(weight))}`;
+}
+
+/** The sign of the weight, in a word. */
+function carving(session: Session, groups: readonly Group[]): TemplateResult {
+  const carves = groups.every(({ shape }) => shape.weight < 0);
+  const weight = Math.abs(groups[0]!.shape.weight) || 1;
+  return toggle(SOLID_WORDS.carving, carves, (on) =>
+    session.run({ type: 'setGroups', ids: session.selection, change: { weight: on ? -weight : weight } }),
+  );
 }
 
 function sections(session: Session, groups: readonly Group[], of: string): TemplateResult {

@@ -277,6 +277,7 @@ export const SOLID_WORDS = {
   open: (name: string) => `Show what ${name} is made of`,
   closed: (name: string) => `Hide what ${name} is made of`,
   carves: 'carves',
+  carving: 'Carves what it blends with',
   byHand: 'edited skeleton',
   dropOn: {
     blend: (name: string) => `Blend with ${name}`,
