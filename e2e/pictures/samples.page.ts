@@ -1,8 +1,8 @@
 /** Files as pictures, without the application: a drawing's text in, a PNG's data address out. */
 import { makeBody } from '../../src/document/bodies.ts';
 import { solids } from '../../src/document/build.ts';
-import { isBody } from '../../src/document/document.ts';
 import type { Drawing } from '../../src/document/drawing.ts';
+import { bodiesOf } from '../../src/document/fieldParts.ts';
 import { parse } from '../../src/document/serialize.ts';
 import { createScene, type Look, type Scene } from '../../src/scene/index.ts';
 import type { View } from '../../src/stroke/stroke.ts';
@@ -36,7 +36,7 @@ window.drawFile = async ({ text, look, view, size, pixelRatio }) => {
   const scene = await opened;
   if (last?.text !== text) last = { text, drawing: parse(text, 'sample') };
   const { drawing } = last;
-  for (const { node } of drawing.document.parts.filter(isBody)) makeBody(node);
+  for (const { node } of bodiesOf(drawing.document)) makeBody(node);
   const [width, height] = size;
   scene.resize(width, height, pixelRatio);
   scene.sync(solids(drawing.document).map(({ id, mesh, colour }) => ({ id, mesh, colour, preview: false })));

@@ -1,6 +1,6 @@
 /**
  * What is in a body, in ConvMo's words (Tai et al. 2004): a component is a convolution sum, whose groups blend; a group has the
- * skels of one silhouette. Until silhouettes exist a sum is one group. Curves count as one skel each; shapes are none.
+ * skels of one form. A sum of a tree is one group. Curves count as one skel each; shapes are none.
  */
 
 import type { FieldNode } from '../field/node.ts';
