@@ -154,7 +154,9 @@ function keyOf(group: Group, rest: string): string {
   const { radius, pressure, filter, levels } = brush;
   const { profile, density, knots } = shape;
   const ink = strokes.map(({ samples, view }) => [numberOf(samples), view.height]);
-  const own = [form, ink, radius, pressure, filter, levels, profile, density, knots, isRough ?? false];
+  // soft bodies follow their outline, whatever the brush's radius
+  const pen = form === 'soft' ? [] : [radius, pressure, profile, density, knots];
+  const own = [form, ink, filter, levels, ...pen, isRough ?? false];
   return JSON.stringify([...own, skeleton && numberOf(skeleton), rest]);
 }
 
