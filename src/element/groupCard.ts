@@ -19,6 +19,7 @@ import { joinSelection } from './partDeeds.ts';
 import { iconOf } from './partRows.ts';
 import { profileEditor } from './profileEditor.ts';
 import type { Session } from './session.ts';
+import { skeletonRow } from './skeletonRow.ts';
 import { even, ratios, sliderRow } from './sliderRow.ts';
 import { PART_WORDS, SOLID_WORDS } from './words.ts';
 
@@ -27,7 +28,7 @@ export function groupCard(session: Session): TemplateResult | typeof nothing {
   if (chosen.length === 0) return nothing;
   const groups = chosen.map(({ group }) => group);
   const of = nameOf(session.document, session.selection);
-  return html`${forms(session, groups, of)} ${radius(session, groups, of)} ${profileEditor(session, groups)}
+  return html`${forms(session, groups, of)} ${radius(session, groups, of)} ${profileEditor(session, groups)} ${skeletonRow(session)}
     ${depths(session, groups, of)}
     ${sections(session, groups, of)} ${sums(session, chosen, of)} ${belongs(session, chosen)} ${fit(chosen)}`;
 }

@@ -43,7 +43,7 @@ export function profileEditor(session: Session, groups: readonly Group[]): Templ
     ${
       points.every((factor) => factor === points[0])
         ? nothing
-        : html`<button class="b quiet-button" @click=${() => session.run(commandOf(group, [1]))}>${SKELETON_WORDS.profileEven}</button>`
+        : html`<button class="b even-profile" @click=${() => session.run(commandOf(group, [1]))}>${SKELETON_WORDS.profileEven}</button>`
     }`;
 }
 
@@ -153,6 +153,7 @@ function step(event: KeyboardEvent, factor: number, set: Set): void {
 
 export const profileLayout = css`
   .profile { position: relative; margin: 0 0.5rem; border-radius: 0.75rem; background: var(--sunken); max-width: 100%; }
+  .b.even-profile { margin: 0.25rem 0.5rem 0; padding: 0 0.75rem; border: 1.5px solid var(--edge); border-radius: 0.75rem; font: 600 0.875rem/1.25rem var(--font); }
   .profile svg { width: 100%; height: 100%; overflow: visible; }
   .profile path { fill: none; }
   .profile .even { stroke: var(--edge); stroke-dasharray: 3 4; }

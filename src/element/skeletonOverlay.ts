@@ -157,4 +157,6 @@ export const skeletonLayout = css`
   .skeleton .knob::before { content: ''; position: absolute; inset: 0.3125rem; border-radius: 50%; background: var(--surface); box-shadow: var(--e2); }
   .skeleton .knob > .icon { position: relative; }
   .skeleton .knob.danger { color: var(--danger); }
+  .skeleton-row { display: flex; gap: 0.5rem; padding: 0.5rem 0.5rem 0; }
+  .skeleton-row .b { flex: 1; border: 1.5px solid var(--edge); border-radius: 0.75rem; font: 600 0.875rem/1.25rem var(--font); }
 `;

@@ -235,7 +235,7 @@ class Fit {
       most: offs.at(-1) ?? 0,
       nearly: offs[Math.floor((1 - CORNERS) * (offs.length - 1))] ?? 0,
       atBound: ends.length / Math.max(nodes.length, 1),
-      ratio: links.reduce((most, [a, b]) => Math.max(most, x[a]! / x[b]!, x[b]! / x[a]!), 1),
+      ratio: links.reduce((most, [a, b]) => Math.max(most, ratioOf(x[a]!, x[b]!)), 1),
     };
   }
 
@@ -312,6 +312,8 @@ class Fit {
     });
   }
 }
+
+const ratioOf = (a: number, b: number): number => (a === b ? 1 : Math.max(a / b, b / a));
 
 /** Weight of an infinite line, or of a lone point; of kernels whose lines have no end, of one of this length. */
 function scaleOf(

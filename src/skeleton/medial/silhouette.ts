@@ -50,11 +50,10 @@ function axisOf(
     return { axis: medialAxis(cornered), fine: cornered };
   }
   const radii = axis.nodes.map(({ radius }) => radius).sort((a, b) => a - b);
-  const thin = radii[Math.floor(radii.length / 4)] ?? 0;
+  // radii of less than the spacing say nothing: circles of a bar as thin come out at any size
+  const thin = radii[Math.floor(radii.length / 4)] ?? Infinity;
   const wanted = Math.min(roundOf(loops) / (SPACING * thin), MOST_PLACES);
-  return count === PLACES && wanted > 1.3 * count && thin > HELD * sizeOf(loops)
-    ? axisOf(loops, wanted)
-    : { axis, fine };
+  return count === PLACES && wanted > 1.3 * count ? axisOf(loops, wanted) : { axis, fine };
 }
 
 export interface Silhouette extends Fitted {
@@ -109,7 +108,7 @@ const DETAIL: readonly { readonly branch: number; readonly few: SimplifyOptions 
 /** of the longer side of the outline, where it is off most but for corners */
 const ENOUGH = 0.01;
 /** of the same: what has no larger circle is a line */
-const HELD = 1e-5;
+const HELD = 2e-4;
 /** nodes: a finer skeleton does not have more, which would take long for little */
 const MANY = 60;
 /** share by which a finer skeleton has to be nearer */

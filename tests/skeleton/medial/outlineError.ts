@@ -8,8 +8,16 @@ import type { Skel } from '../../../src/skeleton/skels.ts';
 /** share of the size beyond which nothing is searched */
 const REACH = 0.15;
 const STEPS = 60;
+/** half a turn: roots are looked for both ways */
+const AROUND = Array.from(
+  { length: 8 },
+  (_, i): Vec2 => [Math.cos((i * Math.PI) / 8), Math.sin((i * Math.PI) / 8)],
+);
 
-/** Along the normals of the outline, in shares of its longer side; what is not found counts as the reach. */
+/**
+ * Along the normals of the outline, in shares of its longer side, or where a normal meets nothing, as at the bottom of a notch, the least of
+ * sixteen directions; what is not found counts as the reach.
+ */
 export function outlineError(
   skels: readonly Skel[],
   loops: readonly Loop[],
@@ -28,7 +36,10 @@ export function outlineError(
     return places.map((p, i) => {
       const [a, b] = [places.at(i - 1)!, places[(i + 1) % places.length]!];
       const length = Math.hypot(b[0] - a[0], b[1] - a[1]) || 1;
-      return nearestRoot(above, p, [(b[1] - a[1]) / length, (a[0] - b[0]) / length], REACH * size) / size;
+      const normal: Vec2 = [(b[1] - a[1]) / length, (a[0] - b[0]) / length];
+      const found = nearestRoot(above, p, normal, REACH * size);
+      if (found < REACH * size) return found / size;
+      return Math.min(...AROUND.map((way) => nearestRoot(above, p, way, REACH * size))) / size;
     });
   });
   return { mean: errors.reduce((a, b) => a + b, 0) / errors.length, most: Math.max(...errors) };
