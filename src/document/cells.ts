@@ -11,9 +11,10 @@ import { Tally } from '../field/near.ts';
 import type { FieldNode } from '../field/node.ts';
 import { PAGE } from '../field/polygonize.ts';
 import type { Thin } from '../field/thin.ts';
+import type { TreeField } from '../field/treeField.ts';
 import { finished } from '../math/finished.ts';
 import { place3 } from '../math/placement.ts';
-import type { Box } from '../skeleton/skeleton.ts';
+import { type Box, FieldError } from '../skeleton/skeleton.ts';
 import { type Body, CELLS } from './bodies.ts';
 import { shapeOf } from './build.ts';
 import { type Document, isImplicit, type Part } from './document.ts';
@@ -72,11 +73,25 @@ export function measureBody(node: FieldNode): void {
 function boxOfBody(node: FieldNode): Box | null {
   const before = known.get(node);
   if (before !== undefined) return before;
-  const field = bindField(node);
+  const field = boundField(node);
+  if (!field) {
+    // whoever wants the body itself is told why there is none
+    known.set(node, null);
+    return null;
+  }
   const isBounded = [...(field.box?.min ?? []), ...(field.box?.max ?? [Infinity])].every(Number.isFinite);
   const box = isBounded && field.box ? finished(fitting(field.near(new Tally()), field.box)) : ends;
   known.set(node, box);
   return box;
+}
+
+function boundField(node: FieldNode): TreeField | null {
+  try {
+    return bindField(node);
+  } catch (error) {
+    if (!(error instanceof FieldError)) throw error;
+    return null;
+  }
 }
 
 function placedBoxOf(part: Part): Box | null {

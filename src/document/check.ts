@@ -7,7 +7,7 @@ import type { Stroke } from '../stroke/stroke.ts';
 import { itemsOf } from './command/changeParts.ts';
 import { apply, type Command } from './command/index.ts';
 import { command as commandSchema, idsOf } from './commandSchema.ts';
-import type { Document } from './document.ts';
+import { type Document, isSolid, type Joins } from './document.ts';
 import type { Drawing } from './drawing.ts';
 import { documentThen } from './earlier.ts';
 import { FileError, placeOf, shown } from './fileError.ts';
@@ -96,6 +96,10 @@ export function applyChecked(
     const place = 'id' in command ? ['id'] : ['ids', missing];
     throw expected(file, [...path, ...place], 'the id of a part that is there by then', ids[missing]);
   }
+  const { joins, place: at } = joinsOf(command);
+  if (joins && !isThere(document, joins)) {
+    throw expected(file, [...path, at], 'a solid, and a component of it, that are there by then', joins);
+  }
   const after = apply(document, command);
   const grows = GROWING.includes(command.type) && isTooLarge(after);
   if (grows) {
@@ -103,3 +107,17 @@ export function applyChecked(
   }
   return after;
 }
+
+/** Where a command says that groups go. */
+function joinsOf(command: Command): { readonly joins: Joins | null; readonly place: string } {
+  if (command.type === 'moveGroups') return { joins: command.to, place: 'to' };
+  return { joins: ('joins' in command && command.joins) || null, place: 'joins' };
+}
+
+const isThere = ({ parts }: Document, { solid, component }: Joins): boolean =>
+  parts
+    .filter(isSolid)
+    .some(
+      ({ id, components }) =>
+        id === solid && (component === null || components.some((of) => of.id === component)),
+    );

@@ -53,11 +53,15 @@ export function draftGroup(document: Document): Group | null {
     form,
     strokes: draft.strokes.map((stroke) => placedStroke(stroke, back)),
     brush,
-    shape: draft.carves ? { ...DEFAULT_SHAPE, weight: -1 } : DEFAULT_SHAPE,
+    shape: draft.carves && carvedBy(document) ? { ...DEFAULT_SHAPE, weight: -1 } : DEFAULT_SHAPE,
     skeleton: null,
     ...(draft.isRough && { isRough: true }),
   };
 }
+
+/** What it takes away from; null: nothing is there, and it is a body like others. */
+const carvedBy = (document: Document): Component | null =>
+  joinedOf(document)?.components.find(({ id }) => id === document.draft?.joins?.component) ?? null;
 
 function solidWith(document: Document, group: Group): SolidPart {
   const { nextId, draft } = document;

@@ -12,13 +12,13 @@ import type { MedialGraph } from '../skeleton/medial/axis.ts';
 import { FieldError } from '../skeleton/skeleton.ts';
 import type { Stroke } from '../stroke/stroke.ts';
 import { surfaces } from '../surface/index.ts';
-import { belongTogether, MOST_HOLES } from './command/addStroke.ts';
+import { belongTogether } from './command/addStroke.ts';
 import { itemsOf } from './command/changeParts.ts';
 import type { BodyPart, Document, Draft, Part, SolidPart, SurfacePart } from './document.ts';
 import { LIMITS, UNIT_TOLERANCE } from './limits.ts';
 import { type Fault, pathTo } from './samples.ts';
 import { isTooLarge, SIZE } from './size.ts';
-import { type Component, type Group, isForm } from './solid.ts';
+import { type Component, EXTRUSION, type Group, isForm, MOST_HOLES, mostStrokes } from './solid.ts';
 import { WORD } from './words.ts';
 
 /** A rule as a step of a schema; it is asked only where every field is what it should be. */
@@ -77,18 +77,23 @@ const MOST_STROKES = Math.max(...Object.values(surfaces).map(({ strokes }) => st
 export const draftRules = <T extends Draft>() =>
   rule<T>(({ strokes, form }) => {
     const [first] = strokes;
-    const isSolid = form === undefined ? first?.closed : isForm(form);
-    const most = isSolid ? MOST_HOLES + 1 : MOST_STROKES;
+    const most = mostOf(form, first?.closed ?? false);
     if (strokes.length >= 1 && strokes.length <= most) return strayIn(strokes);
     return { expected: `1 to ${most} strokes, else null for the whole draft`, path: ['strokes'] };
   });
 
+/** Closed strokes may be made tubes of, one each, however many there are. */
+function mostOf(form: Draft['form'], isClosed: boolean): number {
+  if (form !== undefined && isForm(form)) return mostStrokes(form);
+  return isClosed && form !== 'rotational' ? MOST_HOLES + 1 : MOST_STROKES;
+}
+
 /** Outlines have holes; everything else is of one stroke. */
 export const groupRules = <T extends Pick<Group, 'form' | 'strokes' | 'shape'>>() =>
   rule<T>(({ form, strokes, shape: { section, exponent } }) => {
-    if (section === 'extrusion' && exponent < 2)
+    if (section === 'extrusion' && exponent < EXTRUSION)
       return { expected: 'a number from 2 to 100, of an extrusion', path: ['shape', 'exponent'] };
-    const most = form === 'soft' || form === 'plate' ? MOST_HOLES + 1 : 1;
+    const most = mostStrokes(form);
     if (strokes.length >= 1 && strokes.length <= most) return strayIn(strokes);
     return {
       expected: most > 1 ? `1 to ${most} strokes` : `1 stroke, which "${form}" is made of`,
@@ -157,12 +162,16 @@ export function completed(document: Incomplete): Document {
     return { ...part, id, name };
   });
   // numbers of what is in solids begin after all that are there
-  let free = 1 + Math.max(highestNumber(named), named.length);
+  const first = 1 + Math.max(highestNumber(named), named.length);
+  let free = first;
   const parts = named.map(
     (part): Part => (part.kind === 'solid' ? completedSolid(part, () => free++) : part),
   );
   const { nextId = HIGH } = document;
-  return { ...document, parts, nextId: nextId < HIGH ? nextId : 1 + highestNumber(allOf(parts)) };
+  const above = 1 + highestNumber(allOf(parts));
+  // numbers that were given here are in nobody's way
+  const least = free > first ? above : nextId;
+  return { ...document, parts, nextId: nextId < HIGH ? Math.max(nextId, least) : above };
 }
 
 function completedSolid(part: UnnamedSolid & Pick<SolidPart, 'id' | 'name'>, free: () => number): SolidPart {
@@ -191,6 +200,25 @@ function highestNumber(items: readonly { readonly id: string }[]): number {
   return items.reduce((most, { id }) => Math.max(most, numberIn(id)), 0);
 }
 
+interface PlacedItem {
+  readonly item: { readonly id: string };
+  readonly path: readonly PropertyKey[];
+}
+
+/** Everything that has an id, and where it is. */
+function placesOf(parts: readonly Part[]): readonly PlacedItem[] {
+  return parts.flatMap((part, i): readonly PlacedItem[] => {
+    const path = ['parts', i];
+    if (part.kind !== 'solid') return [{ item: part, path }];
+    const inside = part.components.flatMap((component, k): readonly PlacedItem[] => {
+      const place = [...path, 'components', k];
+      const groups = component.groups.map((group, n) => ({ item: group, path: [...place, 'groups', n] }));
+      return [{ item: component, path: place }, ...groups];
+    });
+    return [{ item: part, path }, ...inside];
+  });
+}
+
 const allOf = (parts: readonly Part[]) => itemsOf({ parts } as Document);
 
 export const documentRules = <T extends Document>() =>
@@ -199,8 +227,8 @@ export const documentRules = <T extends Document>() =>
     if (isTooLarge(document)) return { expected: SIZE, path: ['parts'] };
     const seen = new Set<string>();
     const isTwin = ({ id }: { readonly id: string }) => seen.size === seen.add(id).size;
-    const twin = parts.findIndex((part) => allOf([part]).some(isTwin));
-    if (twin >= 0) return { expected: 'an id that nothing else has', path: ['parts', twin, 'id'] };
+    const twin = placesOf(parts).find(({ item }) => isTwin(item));
+    if (twin) return { expected: 'an id that nothing else has', path: [...twin.path, 'id'] };
     const highest = highestNumber(allOf(parts));
     if (nextId > highest) return null;
     return { expected: `a whole number above ${highest}, which is in use`, path: ['nextId'] };

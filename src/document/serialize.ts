@@ -162,7 +162,7 @@ function versionOfCommand(command: Command): Version {
 
 function neededBy(command: Command): Version {
   if (command.type === 'load') return neededFor(command.document);
-  if (LATE.includes(command.type)) return SOLIDS;
+  if (LATE.includes(command.type) || 'mirror' in command) return SOLIDS;
   if (command.type === 'addStroke') return command.form || command.joins || command.carves ? SOLIDS : 1;
   if (command.type !== 'addBody' && command.type !== 'setBody') return 1;
   return hasWidths(command.node) ? SOLIDS : 2;

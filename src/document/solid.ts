@@ -12,7 +12,16 @@ export type Form = (typeof FORMS)[number];
 
 export const isForm = (form: string): form is Form => (FORMS as readonly string[]).includes(form);
 
+/** most holes of an outline */
+export const MOST_HOLES = 64;
+
+/** How many strokes one form is made of at most: outlines have holes. */
+export const mostStrokes = (form: Form): number => (form === 'soft' || form === 'plate' ? 1 + MOST_HOLES : 1);
+
 export const SECTIONS = ['round', 'superQuadric', 'extrusion'] as const;
+
+/** the least α of an extrusion (field/extrusion.ts) */
+export const EXTRUSION = 2;
 
 /** What can be set of a group beside its brush. */
 export interface GroupShape {

@@ -96,15 +96,15 @@ function termsOf(group: Group, component: Component): readonly Term[] {
   const { plane } = group.strokes[0]!;
   const warp = warpOf(group);
   const { weight } = group.shape;
-  const made = shaped.skels.map(
-    (skel: AnySkel): Term => ({
-      skel: onPlane(hasRadii(skel) ? weighted(skel, kernel, params, FITTED) : skel, plane),
-      params,
-      ...(weight !== 1 && { factor: weight }),
-      ...(warp && { warp }),
-      colour: linearRgb(group.brush.colour),
-    }),
-  );
+  const term = (skel: AnySkel): Term => ({
+    skel: onPlane(hasRadii(skel) ? weighted(skel, kernel, params, FITTED) : skel, plane),
+    params,
+    ...(weight !== 1 && { factor: weight }),
+    ...(warp && { warp }),
+    colour: linearRgb(group.brush.colour),
+  });
+  // radii that the kernel does not reach are those of nothing
+  const made = tried(() => shaped.skels.map(term)) ?? [];
   terms.set(group, { shaped, terms: made });
   return made;
 }

@@ -29,7 +29,12 @@ const JOIN_ICONS: Readonly<Record<JoinWord, IconName>> = { blend: 'blend', attac
 export function formChoices(document: Document): readonly FormWord[] {
   const { strokes = [], form } = document.draft ?? {};
   if (strokes.length === 0 || form === 'point') return [];
-  if (strokes[0]!.closed) return CLOSED.filter((word) => word !== 'carve' || startedOn(document) !== null);
+  if (strokes[0]!.closed) {
+    const hasHoles = strokes.length > 1;
+    return CLOSED.filter((word) =>
+      word === 'carve' ? startedOn(document) !== null : word !== 'ring' || !hasHoles,
+    );
+  }
   return strokes.length === 1 ? OPEN : [];
 }
 
@@ -46,8 +51,9 @@ export function chipSize(document: Document, { width }: Size): ChipSize {
   const words = width >= WORDY;
   return {
     width: (forms > 0 ? 368 : 352) + forms * (words ? 90 : 46),
-    narrow: Math.max(190, joins ? 300 : 0, forms * 48),
+    narrow: forms > 0 || joins ? 304 : 190,
     height: joins ? 104 : 52,
+    narrowHeight: 52 + (forms > 0 ? 52 : 0) + (joins ? 52 : 0),
   };
 }
 

@@ -8,7 +8,14 @@ import { nameOf } from '../document/command/changeParts.ts';
 import type { Document } from '../document/document.ts';
 import { isSolid, type Joins, RADIUS_RANGE } from '../document/document.ts';
 import { boxOfGroup } from '../document/extent.ts';
-import { type Form, type Group, type GroupShape, SECTIONS } from '../document/solid.ts';
+import {
+  EXTRUSION,
+  type Form,
+  type Group,
+  type GroupShape,
+  mostStrokes,
+  SECTIONS,
+} from '../document/solid.ts';
 import { shapedOf } from '../document/solidNode.ts';
 import { kernels } from '../kernel/index.ts';
 import type { Kernel } from '../kernel/kernel.ts';
@@ -45,7 +52,9 @@ const OPEN: readonly Form[] = ['line', 'curve', 'soft'];
 /** What its strokes can become: a tap a point only, as it has no length. */
 export function formsOf({ strokes, form }: Group): readonly Form[] {
   const { samples, closed } = strokes[0]!;
-  const fitting = samples.length < 2 ? [] : closed ? CLOSED : OPEN;
+  const usual = samples.length < 2 ? [] : closed ? CLOSED : OPEN;
+  // holes are of outlines only
+  const fitting = usual.filter((some) => strokes.length <= mostStrokes(some));
   return fitting.includes(form) ? fitting : [...fitting, form];
 }
 
@@ -151,7 +160,7 @@ function sections(session: Session, groups: readonly Group[], of: string): Templ
             of,
             value: same(groups.map(({ shape }) => shape.exponent)),
             text: (alpha) => String(alpha),
-            scale: ratios(0.5, 20),
+            scale: ratios(now === 'extrusion' ? EXTRUSION : 0.5, 20),
             command: (exponent) => set({ exponent }),
           })
     }`;

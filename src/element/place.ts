@@ -24,13 +24,24 @@ export interface Place {
 }
 
 /** px: about what the chip needs, and what lies at the edges: tool rail, top row, meter */
-const CHIP = { width: 352, narrow: 190, height: 52, gap: 24, side: 84, top: 76, bottom: 92 } as const;
+const CHIP = {
+  width: 352,
+  narrow: 190,
+  height: 52,
+  narrowHeight: 52,
+  gap: 24,
+  side: 84,
+  top: 76,
+  bottom: 92,
+} as const;
 
 /** px of a chip; `narrow`: its width with icons only */
 export interface ChipSize {
   readonly width: number;
   readonly narrow: number;
   readonly height: number;
+  /** with icons only, in rows below each other */
+  readonly narrowHeight: number;
 }
 
 /** The box of meshes on the screen, CSS pixels; null when nothing is in front of the camera. */
@@ -74,8 +85,9 @@ export function chipPlace(box: Rect, size: Size, chip: ChipSize = CHIP): Place {
   const lowest = size.height - bottom - height;
   if (box.bottom + gap <= lowest) return { x: middle, y: Math.max(top, box.bottom + gap), narrow: false };
   if (box.top - gap - height >= top) return { x: middle, y: box.top - gap - height, narrow: false };
-  const y = clamp((box.top + box.bottom) / 2, top, lowest);
   for (const narrow of [false, true]) {
+    const least = size.height - bottom - (narrow ? chip.narrowHeight : height);
+    const y = clamp((box.top + box.bottom) / 2, top, least);
     const half = (narrow ? chip.narrow : chip.width) / 2;
     const right = box.right + gap + half;
     if (right + half <= size.width - 16) return { x: right, y, narrow };

@@ -429,7 +429,10 @@ export class Session implements Bench, Viewport {
   }
 
   keep(): void {
-    if (!this.document.draft) return;
+    if (!this.document.draft) {
+      this.#takeOffer();
+      return;
+    }
     // A part that nobody could see would stay in the drawing unnoticed.
     if (draftIsWhole(this.document)) this.run({ type: 'keep' });
     else this.#say(WORDS.cannotKeep);
@@ -584,6 +587,14 @@ export class Session implements Bench, Viewport {
       };
     }
     this.update();
+  }
+
+  /** The point that a tap may have meant: Keep takes it. */
+  #takeOffer(): void {
+    if (this.notice?.text !== WORDS.orPoint) return;
+    const [point] = this.notice.actions;
+    this.notice = null;
+    point?.run();
   }
 
   #offerPoint(offer: readonly Command[]): void {

@@ -57,12 +57,21 @@ export function isClosed(path: Path, tolerance: number): boolean {
 export function joinEnds(path: Path): Path {
   const { from, to } = crossingOfEnds(path) ?? nearestOfEnds(path);
   const cut = pathOf(between(path, from, to), false);
-  const joined = meetAtCorner(cut) ?? bendTogether(cut);
+  const joined = isCoarse(cut) ? cut.points : (meetAtCorner(cut) ?? bendTogether(cut));
   const first = joined[0]!;
   const last = joined[joined.length - 1]!;
   // a doubled first point, or one closer than the path's own detail, would make a segment of no direction
   const doubled = distance(first, last) <= 1e-3 * cut.length;
   return pathOf(doubled && joined.length > 3 ? joined.slice(0, -1) : joined, true);
+}
+
+/** shortest edge of a path of few points, in gaps: the gap is one more of them, and says nothing */
+const COARSE = 0.5;
+
+/** Points that a program gave rather than a pen: a polygon whose last edge is the closing one. */
+function isCoarse({ points }: Path): boolean {
+  const gap = distance(points[0]!, points.at(-1)!);
+  return points.slice(1).every((p, i) => distance(points[i]!, p) >= COARSE * gap);
 }
 
 /** Places near an end: arc length (mm), point, direction of drawing. */

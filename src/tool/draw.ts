@@ -20,7 +20,7 @@ import type { Hit } from './viewport.ts';
 /** Pixels. A tube is shown from here on, and a shorter gesture is a dot. */
 const MINIMUM = 12;
 /** Pixels, or this share of the length, whichever is more: near enough to the start to close. */
-const CLOSING = { pixels: 24, share: 0.04 } as const;
+const CLOSING = { pixels: 24, share: 0.04, least: 4 } as const;
 /** Cosine between line of sight and plane normal below which strokes would stretch over five times. */
 const EDGE_ON = 0.2;
 
@@ -91,7 +91,9 @@ function extend(drawn: Drawn, pen: Pen): Drawn {
 
 /** Near the start again, after having been clearly away from it. */
 function isClosing({ pens, length, reach }: Drawn): boolean {
-  const tolerance = Math.max(CLOSING.pixels, CLOSING.share * length);
+  // of a small loop half its size at most: a ring of a few pixels is one, too
+  const most = Math.max(CLOSING.least, 0.5 * reach);
+  const tolerance = Math.min(Math.max(CLOSING.pixels, CLOSING.share * length), most);
   const first = pens[0];
   const last = pens.at(-1);
   if (!first || !last || reach < 1.5 * tolerance || length < 4 * tolerance) return false;

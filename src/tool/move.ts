@@ -64,7 +64,29 @@ export function carry(
   bench: Bench,
   back: State,
 ): State {
-  return carrying(ids, point, wayOf(handle, ids, point, pen, bench), back);
+  const way = wayOf(handle, ids, point, pen, bench);
+  return { ...carrying(ids, point, way, back), ...resting(ids, point, way, pen, back) };
+}
+
+/** px: a tap on a handle is no drag, however little a hand is still */
+const STILL = 3;
+
+/** Until the pen has left where it came down. */
+function resting(
+  ids: readonly string[],
+  about: Vec3,
+  way: Way,
+  start: Pen,
+  back: State,
+): Pick<State, 'move' | 'up'> {
+  return {
+    move(pens, bench) {
+      const last = pens.at(-1);
+      const isStill = !last || Math.max(Math.abs(last.x - start.x), Math.abs(last.y - start.y)) < STILL;
+      return isStill ? undefined : carrying(ids, about, way, back).move?.(pens, bench);
+    },
+    up: () => back,
+  };
 }
 
 function carrying(ids: readonly string[], about: Vec3, way: Way, back: State): State {

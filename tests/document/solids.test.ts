@@ -283,7 +283,7 @@ describe('what is wrong with a solid', () => {
     ],
     [
       first({ id: 'part-1' }),
-      'x, document.parts[0].id: expected an id that nothing else has, found "part-1"',
+      'x, document.parts[0].components[0].groups[0].id: expected an id that nothing else has, found "part-1"',
     ],
   ])('is said with its place: %#', (change, message) => expect(refusal(change)).toBe(message));
 });

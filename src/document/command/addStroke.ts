@@ -2,6 +2,7 @@ import type { Vec2 } from '../../math/vec.ts';
 import { isInside } from '../../skeleton/medial/outline.ts';
 import type { Plane, Stroke } from '../../stroke/stroke.ts';
 import { type Document, type Draft, readingOf } from '../document.ts';
+import { MOST_HOLES } from '../solid.ts';
 import type { CommandKind } from './index.ts';
 import { keep } from './keep.ts';
 
@@ -28,9 +29,6 @@ export const addStroke: CommandKind<'addStroke', Data> = {
   },
   describe: (document) => `stroke ${(document.draft?.strokes.length ?? 0) + 1}`,
 };
-
-/** most holes of an outline */
-export const MOST_HOLES = 64;
 
 /** The second stroke makes a form round; further ones inside an outline are holes of it. An open and a closed one have no ends in common: they stay two tubes. */
 export function joinsDraft(document: Document, stroke: Stroke): boolean {

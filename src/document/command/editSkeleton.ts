@@ -1,4 +1,6 @@
 import type { MedialGraph } from '../../skeleton/medial/axis.ts';
+import { isGroupInReach } from '../inReach.ts';
+import type { Group } from '../solid.ts';
 import { changeParts, nameOf } from './changeParts.ts';
 import type { CommandKind } from './index.ts';
 
@@ -17,7 +19,13 @@ export const editSkeleton: CommandKind<'editSkeleton', Data> = {
       document,
       [id],
       (part) => part,
-      (group) => (group.skeleton === skeleton ? group : { ...group, skeleton }),
+      // of the group itself, and not of all that is in a component
+      (group) => (group.id === id ? edited(group, skeleton) : group),
     ),
   describe: (document, { id }) => `skeleton of ${nameOf(document, [id])}`,
 };
+
+function edited(group: Group, skeleton: MedialGraph | null): Group {
+  const next = { ...group, skeleton };
+  return group.skeleton !== skeleton && isGroupInReach(next) ? next : group;
+}

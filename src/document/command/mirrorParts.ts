@@ -5,7 +5,8 @@ import { add3, dot3, scale3, sub3, unrotate3 } from '../../math/tuple.ts';
 import type { Vec3 } from '../../math/vec.ts';
 import type { Stroke } from '../../stroke/stroke.ts';
 import { isBody, isSolid, type Part } from '../document.ts';
-import { type Group, withGroups } from '../solid.ts';
+import { areInReach, isGroupInReach } from '../inReach.ts';
+import { type Group, groupsOf, withGroups } from '../solid.ts';
 import { changeParts, nameOf } from './changeParts.ts';
 import type { CommandKind } from './index.ts';
 
@@ -27,7 +28,10 @@ export const mirrorParts: CommandKind<'mirrorParts', Data> = {
       document,
       ids,
       (part) => mirrored(part, within({ about, normal }, part.placement)),
-      (group, of) => mirroredGroup(group, within({ about, normal }, of.placement)),
+      (group, of) => {
+        const next = mirroredGroup(group, within({ about, normal }, of.placement));
+        return isGroupInReach(next) ? next : group;
+      },
     ),
   describe: (document, { ids }) => `${nameOf(document, ids)} mirrored`,
 };
@@ -40,8 +44,12 @@ const within = ({ about, normal }: Mirror, placement: Placement): Mirror => ({
 
 function mirrored(part: Part, mirror: Mirror): Part {
   if (isBody(part)) return { ...part, node: mapped(part.node, matrixOf(mirror)) };
-  if (isSolid(part)) return withGroups(part, (group) => [mirroredGroup(group, mirror)]);
-  return { ...part, strokes: part.strokes.map((stroke) => mirroredStroke(stroke, mirror)) };
+  if (isSolid(part)) {
+    const groups = groupsOf(part).map((group) => mirroredGroup(group, mirror));
+    return groups.every(isGroupInReach) ? withGroups(part, (group) => [mirroredGroup(group, mirror)]) : part;
+  }
+  const strokes = part.strokes.map((stroke) => mirroredStroke(stroke, mirror));
+  return areInReach(strokes) ? { ...part, strokes } : part;
 }
 
 /** Maps of maps are one. */

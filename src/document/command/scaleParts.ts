@@ -3,8 +3,9 @@ import { add3, scale3, sub3 } from '../../math/tuple.ts';
 import type { Vec3 } from '../../math/vec.ts';
 import { isInReach, type Stroke } from '../../stroke/stroke.ts';
 import { type Brush, isBody, isSolid, type Part } from '../document.ts';
+import { areInReach, isGroupInReach } from '../inReach.ts';
 import { RADII } from '../radii.ts';
-import { type Group, withGroups } from '../solid.ts';
+import { type Group, groupsOf, withGroups } from '../solid.ts';
 import { changeParts, nameOf } from './changeParts.ts';
 import type { CommandKind } from './index.ts';
 import { mapped } from './mirrorParts.ts';
@@ -17,7 +18,7 @@ export interface Data {
   readonly about: Vec3;
 }
 
-/** Makes parts and groups larger or smaller, strokes and radii alike; what would leave the space there is stays as it is. */
+/** Makes parts and groups larger or smaller, strokes and radii alike; what would leave the space there is, or the radii that brushes have, stays as it is. */
 export const scaleParts: CommandKind<'scaleParts', Data> = {
   type: 'scaleParts',
   apply(document, { ids, factor, about }) {
@@ -28,7 +29,7 @@ export const scaleParts: CommandKind<'scaleParts', Data> = {
       (part) => scaled(part, factor, about),
       (group, of) => {
         const next = scaledGroup(group, factor, place3(unplaced(of.placement), about));
-        return next && isInReach(next.strokes[0]!.plane.origin) ? next : group;
+        return next ?? group;
       },
     );
   },
@@ -45,33 +46,28 @@ function scaled(part: Part, factor: number, about: Vec3): Part {
     return { ...part, placement, node: mapped(part.node, matrix) };
   }
   if (isSolid(part)) {
-    const solid = withGroups(part, (group) => [scaledGroup(group, factor, [0, 0, 0]) ?? group]);
-    return { ...solid, placement };
+    const isWhole = groupsOf(part).every((group) => scaledGroup(group, factor, [0, 0, 0]));
+    if (!isWhole) return part;
+    return { ...withGroups(part, (group) => [scaledGroup(group, factor, [0, 0, 0])!]), placement };
   }
   const strokes = part.strokes.map((stroke) => scaledStroke(stroke, factor, [0, 0, 0]));
-  return isWithin(strokes) ? { ...part, placement, strokes, brush: scaledBrush(part.brush, factor) } : part;
+  const brush = scaledBrush(part.brush, factor);
+  return brush && areInReach(strokes) ? { ...part, placement, strokes, brush } : part;
 }
 
 function scaledGroup(group: Group, factor: number, about: Vec3): Group | null {
   const strokes = group.strokes.map((stroke) => scaledStroke(stroke, factor, about));
-  if (!isWithin(strokes)) return null;
+  // soft bodies follow their outline, whatever the radius
+  const brush = scaledBrush(group.brush, factor) ?? (group.form === 'soft' ? group.brush : null);
+  if (!brush) return null;
   const { skeleton } = group;
   const nodes = skeleton?.nodes.map(({ at, radius }) => ({
     at: [factor * at[0], factor * at[1]] as const,
     radius: factor * radius,
   }));
-  return {
-    ...group,
-    strokes,
-    brush: scaledBrush(group.brush, factor),
-    skeleton: skeleton && { nodes: nodes!, links: skeleton.links },
-  };
+  const next = { ...group, strokes, brush, skeleton: skeleton && { nodes: nodes!, links: skeleton.links } };
+  return isGroupInReach(next) ? next : null;
 }
-
-const isWithin = (strokes: readonly Stroke[]): boolean =>
-  strokes.every(
-    ({ samples, plane }) => isInReach(plane.origin) && samples.every(({ x, y }) => isInReach([x, y])),
-  );
 
 /** The view scales with it: what was trembling of the hand still is. */
 function scaledStroke(stroke: Stroke, factor: number, about: Vec3): Stroke {
@@ -84,7 +80,8 @@ function scaledStroke(stroke: Stroke, factor: number, about: Vec3): Stroke {
   };
 }
 
-const scaledBrush = (brush: Brush, factor: number): Brush => ({
-  ...brush,
-  radius: Math.min(RADII.max, Math.max(RADII.min, brush.radius * factor)),
-});
+/** Null where its radius is none that brushes have. */
+function scaledBrush(brush: Brush, factor: number): Brush | null {
+  const radius = brush.radius * factor;
+  return radius >= RADII.min && radius <= RADII.max ? { ...brush, radius } : null;
+}

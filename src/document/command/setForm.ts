@@ -1,4 +1,5 @@
 import type { Document, Draft, Joins } from '../document.ts';
+import { isForm, mostStrokes } from '../solid.ts';
 import { WORD } from '../words.ts';
 import type { CommandKind } from './index.ts';
 
@@ -17,6 +18,8 @@ export const setForm: CommandKind<'setForm', Data> = {
     const { draft } = document;
     if (!draft) return document;
     const { form = draft.form ?? null, joins = draft.joins ?? null, carves = draft.carves ?? false } = change;
+    // one ring has no holes, and a form round has two sides
+    if (form && draft.strokes.length > most(form)) return document;
     const next: Draft = {
       strokes: draft.strokes,
       ...(form && { form }),
@@ -32,6 +35,11 @@ export const setForm: CommandKind<'setForm', Data> = {
     if (joins !== undefined) return joins ? 'joined' : 'a part of its own';
     return carves ? 'carving' : 'form of the strokes';
   },
+};
+
+const most = (form: NonNullable<Draft['form']>): number => {
+  if (form === 'tube') return Infinity;
+  return isForm(form) ? mostStrokes(form) : 2;
 };
 
 const said = ({ form, joins, carves }: Draft) => [form, joins?.solid, joins?.component, carves];

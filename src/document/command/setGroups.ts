@@ -1,5 +1,5 @@
 import { isSolid } from '../document.ts';
-import { type Group, type GroupShape, withGroups } from '../solid.ts';
+import { EXTRUSION, type Group, type GroupShape, mostStrokes, withGroups } from '../solid.ts';
 import { changeParts, nameOf } from './changeParts.ts';
 import type { CommandKind } from './index.ts';
 
@@ -37,10 +37,12 @@ const WORDS: Readonly<Record<keyof Data['change'], string>> = {
   knots: 'knots',
 };
 
-function changed(group: Group, { form = group.form, ...rest }: Data['change']): Group {
-  const keys = Object.keys(rest) as (keyof GroupShape)[];
-  const isSame = form === group.form && keys.every((key) => rest[key] === group.shape[key]);
-  if (isSame) return group;
-  const skeleton = form === group.form ? group.skeleton : null;
-  return { ...group, form, skeleton, shape: { ...group.shape, ...rest } };
+/** A form that is made of fewer strokes is not taken, and an extrusion has no fewer corners than it can have. */
+function changed(group: Group, { form: wanted = group.form, ...rest }: Data['change']): Group {
+  const form = group.strokes.length > mostStrokes(wanted) ? group.form : wanted;
+  const shape = { ...group.shape, ...rest };
+  const exponent = shape.section === 'extrusion' ? Math.max(EXTRUSION, shape.exponent) : shape.exponent;
+  const next = { ...shape, exponent };
+  if (form === group.form && JSON.stringify(next) === JSON.stringify(group.shape)) return group;
+  return { ...group, form, skeleton: form === group.form ? group.skeleton : null, shape: next };
 }

@@ -1,0 +1,19 @@
+/** What commands make stays within what files hold: nothing is moved, mirrored or scaled so far that it could not be read again. */
+import { FARTHEST, isInReach, type Stroke } from '../stroke/stroke.ts';
+import { RANGES } from './limits.ts';
+import type { Group } from './solid.ts';
+
+export const areInReach = (strokes: readonly Stroke[]): boolean =>
+  strokes.every(
+    ({ samples, plane, view }) =>
+      isInReach(plane.origin) &&
+      view.height >= RANGES.height.min &&
+      view.height <= RANGES.height.max &&
+      samples.every(({ x, y }) => isInReach([x, y])),
+  );
+
+export function isGroupInReach({ strokes, skeleton }: Pick<Group, 'strokes' | 'skeleton'>): boolean {
+  const isWithin = (radius: number) => radius >= RANGES.skeletonRadius.min && radius <= FARTHEST;
+  const circles = skeleton?.nodes ?? [];
+  return areInReach(strokes) && circles.every(({ at, radius }) => isInReach(at) && isWithin(radius));
+}
