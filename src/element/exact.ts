@@ -102,8 +102,9 @@ export class Exact {
   /** Draws a frame of something that moves by rays as well, where they are fast enough; false: it is to be drawn with meshes. */
   live({ scene, bodies, view }: Omit<Seen, 'version'>): boolean {
     if (bodies.length === 0 || this.#isBusy || this.problem !== null) return false;
-    // only the style is another, or the selection
-    const isSame = this.#isKept && nameOf(bodies, cameraOf(view, scene.pixels)) === this.#cast;
+    // only the style is another, or the selection; rows that are lost are seen through no image alone
+    const isKept = this.#isKept && !this.#images?.lost;
+    const isSame = isKept && nameOf(bodies, cameraOf(view, scene.pixels)) === this.#cast;
     const image = isSame ? this.#images!.image(0) : this.#caster.live?.(bodies, view, scene.pixels, LIVE);
     // what moves for long is wanted as long
     if (image) this.#letGo();

@@ -228,7 +228,8 @@ export class Pipeline {
       this.#cover(refinement.shown, this.#output);
     }
     this.#fade.known = known;
-    this.#fade.lost = image.lost ?? null;
+    // of a frame of its own there is none before
+    this.#fade.lost = alone ? null : (image.lost ?? null);
     this.#fade.share = 1 - (isPart ? 1 : refinement.count) / enough;
     if (this.#fade.isSeen) this.#blend(this.#fade.over, this.#output);
     this.#finish();

@@ -68,12 +68,14 @@ class DroppedCaster implements Caster {
     const image = { camera, items: [] } as unknown as SurfaceImage;
     return {
       ...{ count: 5, whole: 5, known: [0, 1], share: 1, evaluationsAPixel: 1, milliseconds: 1 },
+      lost: this.lost,
       image: () => image,
       drop: () => void this.left--,
     };
   }
+  lost: readonly [from: number, to: number] | null = null;
   lives = 0;
-  live(): SurfaceImage {
+  live(): SurfaceImage | null {
     this.lives++;
     return { camera: {}, items: [] } as unknown as SurfaceImage;
   }
@@ -371,6 +373,19 @@ describe('Exact', () => {
     expect(caster.lives).toBe(0);
     exact.live(seen({ view: { ...FRONT_VIEW, height: 50 } }));
     expect(caster.lives).toBe(1);
+  });
+
+  it('shows no image alone that has lost rows, whatever is another', () => {
+    const caster = new DroppedCaster();
+    caster.lost = [0.2, 0.4];
+    caster.live = () => null;
+    exact = new Exact(() => {}, caster);
+    rested();
+    for (let i = 0; i < 10; i++) exact.frame(seen());
+    expect(exact.isInPart).toBe(true);
+    drawn = [];
+    expect(exact.live(seen())).toBe(false);
+    expect(drawn).toEqual([]);
   });
 
   it('is not idle as long as something moves', () => {
