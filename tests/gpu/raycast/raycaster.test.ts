@@ -161,7 +161,7 @@ describeGpu('rays on the device are those of the CPU', () => {
     ],
     ['a drawn section', sectioned({ type: 'polar', radii: LOBES }), 48, camera(24, 0)],
     ['an egg less another', eggs, 48, camera(24)],
-    ['terms with widths of their own', widths('cauchy'), 48, camera(50)],
+    ['terms with widths of their own', widths('quartic'), 48, camera(50)],
   ] as const)('%s', async (_, node, cells, of) => {
     const { hits, either, apart, normal, colour } = await compare(node, cells, of);
     expect(hits).toBeGreaterThan(50);
