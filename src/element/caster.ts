@@ -41,6 +41,8 @@ export interface CastImages {
 export interface CastListener {
   /** there is more */
   changed(): void;
+  /** there is no room for it: images that can be cast again are given back; false: there are none */
+  spare?(): boolean;
   /** there will be nothing more, in words; `trees`: whose fault that is, where it is known, and will be the next time, too */
   refused(why: string, trees?: readonly FieldNode[]): void;
 }

@@ -39,7 +39,7 @@ export class DeviceLive {
   readonly #holed = new WeakSet<DeviceBody>();
   #isRefused = false;
 
-  /** `refused` is told once, and then there is nothing more. */
+  /** `refused` is told once, and then there is nothing more until all have rested. */
   constructor(device: GPUDevice, pace: Pace, refused: (why: string) => void) {
     this.#device = device;
     this.#pace = pace;
@@ -67,8 +67,9 @@ export class DeviceLive {
     return { camera, items, surface, colours, stride };
   }
 
-  /** No room is kept. */
+  /** No room is kept, and what was refused is asked for again. */
   idle(): void {
+    this.#isRefused = false;
     for (const room of this.#rooms.values()) room?.destroy();
     this.#rooms.clear();
   }
@@ -127,8 +128,8 @@ export class DeviceLive {
 
   #refuse(why: string): void {
     if (this.#isRefused) return;
-    this.#isRefused = true;
     this.idle();
+    this.#isRefused = true;
     this.#refused(why);
   }
 }

@@ -16,6 +16,7 @@ import type { Scene, SurfaceImage } from '../scene/index.ts';
 import type { View } from '../stroke/stroke.ts';
 import { type Caster, type CastImages, MOST_RAYS, type ShownBody } from './caster.ts';
 import { keyOf, RayWorker } from './rayWorker.ts';
+import { WORDS } from './words.ts';
 
 /** ms without a change until rays are cast, or until what was cast is shown again */
 const REST = 120;
@@ -160,7 +161,7 @@ export class Exact {
     return this.problem !== null || this.#count === this.#images?.whole;
   }
 
-  /** Has a picture of its own drawn with images that are there as long as that takes; what is on the screen waits. Rejects where there are none. */
+  /** Has a picture of its own drawn with images that are there as long as that takes; what is on the screen waits. Rejects where there are none, or rows that nobody could cast. */
   async picture<T>(
     bodies: readonly ShownBody[],
     view: View,
@@ -183,9 +184,10 @@ export class Exact {
     this.#keep();
     this.#isBusy = true;
     try {
-      const kept = nameOf(bodies, camera) === this.#cast ? this.#images : null;
-      const images = kept ?? (await this.#allOf(bodies, camera));
+      const isSame = nameOf(bodies, camera) === this.#cast && !this.#images?.lost;
+      const images = (isSame ? this.#images : null) ?? (await this.#allOf(bodies, camera));
       this.#lent = images;
+      if (images.lost) throw new Error(WORDS.picturePart);
       return await draw(Array.from({ length: images.whole }, (_, i) => () => images.image(i)));
     } finally {
       if (this.#lent !== this.#images) this.#lent?.drop?.();
@@ -200,9 +202,18 @@ export class Exact {
     return new Promise((resolve, reject) => {
       const casting = this.#caster.cast(bodies, camera, {
         changed: () => casting.count === casting.whole && resolve(casting),
+        spare: () => this.#spare(),
         refused: (why) => reject(new Error(why)),
       });
     });
+  }
+
+  /** Gives back what is whole on the screen, which is cast anew after the picture. */
+  #spare(): boolean {
+    if (!this.#images) return false;
+    this.#giveUp();
+    this.#cast = '';
+    return true;
   }
 
   #keep(): void {
