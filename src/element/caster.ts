@@ -17,6 +17,9 @@ export interface ShownBody {
 /** rays a picture: larger ones have a ray for several pixels */
 export const MOST_RAYS = 2.4e6;
 
+/** of a pixel: where its first ray is */
+export const MIDDLE = [0.5, 0.5] as const;
+
 /** What has been found for one picture so far. */
 export interface CastImages {
   /** images that are whole, and how many there will be */

@@ -7,13 +7,12 @@ import type { DeviceImage, GpuRaycaster, PlacedBody } from '../gpu/raycast/rayca
 import { taken } from '../gpu/taken.ts';
 import type { Scene, SurfaceImage } from '../scene/index.ts';
 import type { View } from '../stroke/stroke.ts';
-import { MOST_RAYS } from './caster.ts';
+import { MIDDLE, MOST_RAYS } from './caster.ts';
 import { messageOf } from './events.ts';
 import { type Pace, SPARSE } from './pace.ts';
 
 /** pixels along a side for a ray: what still looks like the surface */
 const COARSER = [1, 2, 4] as const;
-const MIDDLE = [0.5, 0.5] as const;
 
 /** What is to be seen. */
 export interface Moving {

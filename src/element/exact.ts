@@ -14,7 +14,7 @@ import { bodiesOf } from '../document/fieldParts.ts';
 import type { RayCamera } from '../field/rayImage.ts';
 import type { Scene, SurfaceImage } from '../scene/index.ts';
 import type { View } from '../stroke/stroke.ts';
-import { type Caster, type CastImages, MOST_RAYS, type ShownBody } from './caster.ts';
+import { type Caster, type CastImages, MIDDLE, MOST_RAYS, type ShownBody } from './caster.ts';
 import { keyOf, RayWorker } from './rayWorker.ts';
 import { WORDS } from './words.ts';
 
@@ -32,8 +32,6 @@ const PART = 0.3;
 const PAUSE = 1500;
 /** ms without a wish until workers end and images go: bricks are worth keeping while somebody goes back and forth */
 const IDLE = 20_000;
-
-const MIDDLE = [0.5, 0.5] as const;
 
 /** Of one picture; made when they are drawn. */
 type Images = readonly (() => SurfaceImage)[];
