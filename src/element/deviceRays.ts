@@ -6,6 +6,9 @@
  *
  * A ray that was given up is a hole in the picture: how many there were is read back with each image, and where there was one the whole picture is
  * left to who knows no limit; which pixels they were no image says.
+ *
+ * What the device has no room for beside the images of the screen is tried once more without them; as many rays are then asked of it again only
+ * when all have rested.
  */
 import type { FieldNode } from '../field/node.ts';
 import type { RayCamera } from '../field/rayImage.ts';
