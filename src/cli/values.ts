@@ -64,7 +64,8 @@ export function style(text: string | undefined): Style | undefined {
 /** Without the option as the drawing has it. */
 export function mode(text: string | undefined): Mode | undefined {
   if (text === undefined || text === 'mesh') return text;
-  if (text === 'raycast') return 'exact';
+  // the application's own word
+  if (text === 'raycast' || text === 'exact') return 'exact';
   throw new Problem(`--mode: expected mesh or raycast; found '${text}'`);
 }
 

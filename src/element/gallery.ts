@@ -24,11 +24,12 @@ export function gallery(actions: Actions): TemplateResult | typeof nothing {
   </section>`;
 }
 
-/** "4 strokes", "14 skels" */
-function madeOf({ strokes, skels }: Sample): string {
-  const words = [strokes > 0 && PART_WORDS.strokes(strokes), skels > 0 && PART_WORDS.skels(skels)];
-  return words.filter(Boolean).join(', ');
-}
+/** What was drawn: "4 strokes"; of trees, "14 skels" */
+const madeOf = ({ strokes, skels }: Sample): string =>
+  strokes > 0 ? PART_WORDS.strokes(strokes) : PART_WORDS.skels(skels);
+
+/** in a row where there is room for many */
+const ROW = 9;
 
 /** `chosen` is called at once; what is chosen may take a moment. */
 export function cards({ samples, opening }: Files, chosen: () => void): TemplateResult {
@@ -43,5 +44,5 @@ export function cards({ samples, opening }: Files, chosen: () => void): Template
     </button></li>`;
   };
   const count = samples.list.length;
-  return html`<ul class="cards" role="list" style="--all:${count};--half:${Math.ceil(count / 2)}">${samples.list.map(card)}</ul>`;
+  return html`<ul class="cards" role="list" style="--all:${count <= ROW ? count : Math.ceil(count / 2)};--half:${Math.ceil(count / 2)}">${samples.list.map(card)}</ul>`;
 }

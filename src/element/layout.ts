@@ -103,6 +103,7 @@ export const layout = css`
 
   /* stroke meter */
   .meter { position: absolute; left: 50%; bottom: var(--gap); transform: translateX(-50%); display: flex; padding: 0.3125rem; gap: 0.125rem; border-radius: 1.25rem; }
+  .meter ~ .status { max-width: calc(50cqw - 13.5rem); }
   .meter button { height: 3.25rem; padding: 0 1.125rem 0 0.75rem; border-radius: 0.875rem; display: flex; align-items: center; gap: 0.625rem; color: var(--ink-2); font-weight: 600; position: relative; white-space: nowrap; }
   .meter button:hover { background: var(--sunken); }
   .meter .done { color: var(--ink); }
@@ -192,11 +193,11 @@ export const layout = css`
     .upright input { position: static; width: 100%; transform: none; }
     .rail .caption { min-width: 2.75rem; }
     .meter { bottom: auto; top: 4rem; }
+    .meter ~ .status { max-width: 60%; }
     .meter button { height: 2.75rem; }
     .chip { left: 0.5rem !important; right: 0.5rem; transform: none; top: auto !important; bottom: calc(5.25rem + env(safe-area-inset-bottom, 0px)); }
     .chip .what, .chip.narrow .what { display: block; flex: 1; }
     .chip .word { display: none; }
-    .status :is(.seen, .gap) { display: none; }
     .status { left: 0.75rem; bottom: calc(5.25rem + env(safe-area-inset-bottom, 0px)); max-width: 60%; }
     .chip ~ .status { display: none; }
     .view { right: 0.75rem; bottom: calc(9.5rem + env(safe-area-inset-bottom, 0px)); }
@@ -210,6 +211,7 @@ export const layout = css`
     .rail .upright input { width: 5rem; }
     .tray.name { visibility: hidden; }
     .status { left: 5.5rem; }
+    .chip ~ .status { display: none; }
   }
   :host([data-theme='contrast']) :is(.b.on, .meter [aria-current], .style[aria-checked='true']) { box-shadow: inset 0 0 0 3px var(--pencil); }
   :host([data-theme='contrast']) :is(.b.quiet, .segment) { box-shadow: inset 0 0 0 1.5px #000; }

@@ -688,7 +688,7 @@ export class Session implements Bench, Viewport {
     if (this.look.mode !== 'exact' || !this.hasBodies || !this.scene) return null;
     if (problem !== null) return WORDS.notExact;
     // also before it is begun, and while something moves
-    if (evaluationsAPixel === null) return WORDS.casting(Math.floor(100 * (share ?? 0)));
+    if (evaluationsAPixel === null) return WORDS.casting(Math.min(99, Math.floor(100 * (share ?? 0))));
     const words = WORDS.exact(evaluationsAPixel, milliseconds);
     return this.exact.isInPart ? WORDS.inPart(words) : words;
   }

@@ -2,7 +2,7 @@
 import { css } from 'lit';
 
 export const startLayout = css`
-  .start { position: absolute; inset: 5rem var(--gap) var(--gap); display: flex; flex-direction: column; gap: 0.75rem; pointer-events: none; --fig: clamp(4rem, 22cqh, 14.5rem); --thumb: clamp(3.5rem, 13cqh, 8.25rem); }
+  .start { position: absolute; inset: 5rem var(--gap) var(--gap); display: flex; flex-direction: column; gap: 0.75rem; pointer-events: none; --fig: clamp(4rem, 20cqh, 13rem); --thumb: clamp(3.5rem, 8.5cqh, 7rem); }
   .start button { pointer-events: auto; }
   .hint { flex: 1; min-height: 0; display: flex; flex-direction: column; justify-content: center; width: min(56rem, calc(100% - 24rem)); margin: 0 auto; padding-bottom: 3cqh; text-align: center; }
   .hint { color: var(--over); }
@@ -16,7 +16,7 @@ export const startLayout = css`
   .gallery header { display: flex; align-items: center; justify-content: space-between; gap: 1rem; padding: 0 0.25rem 0.5rem; }
   .gallery h2 { color: var(--over); font: 600 1.0625rem/1.375rem var(--font); }
   .cards { display: grid; grid-template-columns: repeat(var(--all), minmax(0, 1fr)); gap: 0.75rem; list-style: none; padding: 0; }
-  .cards button { width: 100%; padding: 0.5rem 0.25rem 0.75rem; text-align: center; transition: background var(--press) var(--out); }
+  .cards button { width: 100%; padding: 0.5rem 0.25rem; text-align: center; transition: background var(--press) var(--out); }
   .cards button:hover { background: var(--sunken); }
   .cards button:active { transform: scale(0.98); }
   .cards img { width: 100%; height: var(--thumb, 6rem); object-fit: contain; display: block; }

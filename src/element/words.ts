@@ -22,7 +22,7 @@ export const WORDS = {
   title: 'Draw a line, get a form.',
   subtitle: 'Start anywhere, also right here. The hint steps aside.',
   steps: [
-    { title: 'Draw one side', text: 'One stroke is a tube.' },
+    { title: 'Draw one side', text: 'One stroke is a tube. A closed one swells.' },
     { title: 'Draw the other side', text: 'Two make it round.' },
     { title: 'Keep it, and go on', text: 'The next stroke may start on the form.' },
   ],
