@@ -5,6 +5,7 @@ import { cellsOfBodies } from '../document/cells.ts';
 import { type Document, isImplicit, type Part } from '../document/document.ts';
 import { boxOfMesh } from '../document/extent.ts';
 import { nodeOf } from '../document/solidNode.ts';
+import { longest } from '../field/boxes.ts';
 import type { FieldNode } from '../field/node.ts';
 import { type BodyMaker, type MadeBody, shownWhole } from './bodyMaker.ts';
 import { measuresOf, type PartMeasures } from './measures.ts';
@@ -75,10 +76,9 @@ const FEWEST = 8;
 
 /** Where a part was moved to its cells may be less than numbers of a mesh can tell. */
 function checkPlaced({ mesh }: Solid, cells: number): void {
-  const { min, max } = boxOfMesh(mesh);
-  const far = Math.max(...[...min, ...max].map(Math.abs));
-  const size = Math.max(...max.map((end, axis) => end - min[axis]!));
-  if (size / cells > FEWEST * 1.1920929e-7 * far) return;
+  const box = boxOfMesh(mesh);
+  const far = Math.max(...[...box.min, ...box.max].map(Math.abs));
+  if (longest(box) / cells > FEWEST * 1.1920929e-7 * far) return;
   throw new Error(
     `it lies ${Number(far.toPrecision(2))} mm from the origin, too far for a mesh of what is this small`,
   );

@@ -4,7 +4,7 @@
  */
 
 import { bindField } from '../field/bind.ts';
-import { unite } from '../field/boxes.ts';
+import { longest, unite } from '../field/boxes.ts';
 import { fitting } from '../field/fitBox.ts';
 import { RESOLUTION } from '../field/lattice.ts';
 import { Tally } from '../field/near.ts';
@@ -113,5 +113,3 @@ function boxOfSurface(part: Part): Box | null {
     return null;
   }
 }
-
-const longest = ({ min, max }: Box): number => Math.max(max[0] - min[0], max[1] - min[1], max[2] - min[2]);

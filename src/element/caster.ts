@@ -17,6 +17,9 @@ export interface ShownBody {
 /** rays a picture: larger ones have a ray for several pixels */
 export const MOST_RAYS = 2.4e6;
 
+/** of a pixel: where its first ray is */
+export const MIDDLE = [0.5, 0.5] as const;
+
 /** What has been found for one picture so far. */
 export interface CastImages {
   /** images that are whole, and how many there will be */
@@ -41,6 +44,8 @@ export interface CastImages {
 export interface CastListener {
   /** there is more */
   changed(): void;
+  /** there is no room for it: images that can be cast again are given back; false: there are none */
+  spare?(): boolean;
   /** there will be nothing more, in words; `trees`: whose fault that is, where it is known, and will be the next time, too */
   refused(why: string, trees?: readonly FieldNode[]): void;
 }

@@ -1,6 +1,7 @@
 /**
  * The images of one picture on the graphics device: each stays until nobody asks for it any more, so that another style or a file casts none
- * anew. That is 32 bytes a pixel and image, at most 384 MB of five (`MOST_RAYS`); fewer rooms were tried, and cast what another image had taken the
+ * anew. That is 32 bytes a pixel and image, at most 384 MB of five (`MOST_RAYS`), and as much again while a file of another size is made beside the
+ * screen, whose images go where there is no room for both (`CastListener.spare`); fewer rooms were tried, and cast what another image had taken the
  * place of once more, in a frame that was late by that.
  */
 import { OFFSETS } from '../field/rayEdges.ts';

@@ -7,13 +7,12 @@ import type { DeviceImage, GpuRaycaster, PlacedBody } from '../gpu/raycast/rayca
 import { taken } from '../gpu/taken.ts';
 import type { Scene, SurfaceImage } from '../scene/index.ts';
 import type { View } from '../stroke/stroke.ts';
-import { MOST_RAYS } from './caster.ts';
+import { MIDDLE, MOST_RAYS } from './caster.ts';
 import { messageOf } from './events.ts';
 import { type Pace, SPARSE } from './pace.ts';
 
 /** pixels along a side for a ray: what still looks like the surface */
 const COARSER = [1, 2, 4] as const;
-const MIDDLE = [0.5, 0.5] as const;
 
 /** What is to be seen. */
 export interface Moving {
@@ -39,7 +38,7 @@ export class DeviceLive {
   readonly #holed = new WeakSet<DeviceBody>();
   #isRefused = false;
 
-  /** `refused` is told once, and then there is nothing more. */
+  /** `refused` is told once, and then there is nothing more until all have rested. */
   constructor(device: GPUDevice, pace: Pace, refused: (why: string) => void) {
     this.#device = device;
     this.#pace = pace;
@@ -67,8 +66,9 @@ export class DeviceLive {
     return { camera, items, surface, colours, stride };
   }
 
-  /** No room is kept. */
+  /** No room is kept, and what was refused is asked for again. */
   idle(): void {
+    this.#isRefused = false;
     for (const room of this.#rooms.values()) room?.destroy();
     this.#rooms.clear();
   }
@@ -127,8 +127,8 @@ export class DeviceLive {
 
   #refuse(why: string): void {
     if (this.#isRefused) return;
-    this.#isRefused = true;
     this.idle();
+    this.#isRefused = true;
     this.#refused(why);
   }
 }

@@ -6,6 +6,9 @@
  *
  * A ray that was given up is a hole in the picture: how many there were is read back with each image, and where there was one the whole picture is
  * left to who knows no limit; which pixels they were no image says.
+ *
+ * What the device has no room for beside the images of the screen is tried once more without them; as many rays are then asked of it again only
+ * when all have rested.
  */
 import type { FieldNode } from '../field/node.ts';
 import type { RayCamera } from '../field/rayImage.ts';
@@ -55,7 +58,7 @@ export class DeviceRays implements Caster {
   #density = 1;
   #isGone = false;
   #hasTold = false;
-  /** rays of a picture that no body was to blame for: as many are too many */
+  /** rays of a picture that no body was to blame for: as many are too many until all have rested */
   #tooMany = Infinity;
 
   /** `told`: once, why the device casts less than it was asked for. */
@@ -95,8 +98,9 @@ export class DeviceRays implements Caster {
     this.#casting = null;
   }
 
-  /** Pictures that somebody looks at stay. */
+  /** Pictures that somebody looks at stay; what was too much then need not be any more. */
   idle(): void {
+    this.#tooMany = Infinity;
     this.#live.idle();
   }
 
@@ -124,15 +128,29 @@ export class DeviceRays implements Caster {
     });
     if (!wanted()) return;
     if (!placed) throw new Error('its bodies are gone');
+    const all = () => this.#all(casting, raycaster, placed);
+    const blame = async (error: unknown): Promise<never> => {
+      images.drop();
+      const isBlamed = await blamed(this.#device, raycaster, placed, camera);
+      const trees = shown.filter((_, i) => isBlamed[i]).map(({ node }) => node);
+      if (trees.length === 0) this.#tooMany = Math.min(this.#tooMany, camera.width * camera.height);
+      throw new TreesRefused(messageOf(error), trees);
+    };
+    await all().catch((error: unknown) => {
+      images.drop();
+      return wanted() && listener.spare?.() ? all().catch(blame) : blame(error);
+    });
+    if (wanted()) this.#casting = null;
+  }
+
+  /** All images, one after the other, as long as they are wanted. */
+  async #all(casting: Casting, raycaster: GpuRaycaster, placed: readonly PlacedBody[]): Promise<void> {
+    const { images, listener } = casting;
+    const wanted = () => this.#casting === casting;
+    const { width, height } = images.camera(0);
     const start = performance.now();
     for (let number = 0; number < images.whole; number++) {
-      const image = await this.#whole(casting, number, raycaster, placed).catch(async (error: unknown) => {
-        images.drop();
-        const isBlamed = await blamed(this.#device, raycaster, placed, camera);
-        const trees = shown.filter((_, i) => isBlamed[i]).map(({ node }) => node);
-        if (trees.length === 0) this.#tooMany = Math.min(this.#tooMany, camera.width * camera.height);
-        throw new TreesRefused(messageOf(error), trees);
-      });
+      const image = await this.#whole(casting, number, raycaster, placed);
       if (!image) return;
       const { terms, lost } = await image.work();
       if (!wanted()) return;
@@ -142,12 +160,11 @@ export class DeviceRays implements Caster {
       }
       if (number === 0) {
         images.milliseconds = performance.now() - start;
-        images.evaluationsAPixel = ((WITH_GRADIENT + TEST) * terms) / (camera.width * camera.height);
+        images.evaluationsAPixel = ((WITH_GRADIENT + TEST) * terms) / (width * height);
       }
       images.count = number + 1;
       listener.changed();
     }
-    if (wanted()) this.#casting = null;
   }
 
   /** All rows of an image, band by band; null when it was given up. */

@@ -14,8 +14,9 @@ import { bodiesOf } from '../document/fieldParts.ts';
 import type { RayCamera } from '../field/rayImage.ts';
 import type { Scene, SurfaceImage } from '../scene/index.ts';
 import type { View } from '../stroke/stroke.ts';
-import { type Caster, type CastImages, MOST_RAYS, type ShownBody } from './caster.ts';
+import { type Caster, type CastImages, MIDDLE, MOST_RAYS, type ShownBody } from './caster.ts';
 import { keyOf, RayWorker } from './rayWorker.ts';
+import { WORDS } from './words.ts';
 
 /** ms without a change until rays are cast, or until what was cast is shown again */
 const REST = 120;
@@ -31,8 +32,6 @@ const PART = 0.3;
 const PAUSE = 1500;
 /** ms without a wish until workers end and images go: bricks are worth keeping while somebody goes back and forth */
 const IDLE = 20_000;
-
-const MIDDLE = [0.5, 0.5] as const;
 
 /** Of one picture; made when they are drawn. */
 type Images = readonly (() => SurfaceImage)[];
@@ -102,8 +101,9 @@ export class Exact {
   /** Draws a frame of something that moves by rays as well, where they are fast enough; false: it is to be drawn with meshes. */
   live({ scene, bodies, view }: Omit<Seen, 'version'>): boolean {
     if (bodies.length === 0 || this.#isBusy || this.problem !== null) return false;
-    // only the style is another, or the selection
-    const isSame = this.#isKept && nameOf(bodies, cameraOf(view, scene.pixels)) === this.#cast;
+    // only the style is another, or the selection; rows that are lost are seen through no image alone
+    const isKept = this.#isKept && !this.#images?.lost;
+    const isSame = isKept && nameOf(bodies, cameraOf(view, scene.pixels)) === this.#cast;
     const image = isSame ? this.#images!.image(0) : this.#caster.live?.(bodies, view, scene.pixels, LIVE);
     // what moves for long is wanted as long
     if (image) this.#letGo();
@@ -159,7 +159,7 @@ export class Exact {
     return this.problem !== null || this.#count === this.#images?.whole;
   }
 
-  /** Has a picture of its own drawn with images that are there as long as that takes; what is on the screen waits. Rejects where there are none. */
+  /** Has a picture of its own drawn with images that are there as long as that takes; what is on the screen waits. Rejects where there are none, or rows that nobody could cast. */
   async picture<T>(
     bodies: readonly ShownBody[],
     view: View,
@@ -182,9 +182,10 @@ export class Exact {
     this.#keep();
     this.#isBusy = true;
     try {
-      const kept = nameOf(bodies, camera) === this.#cast ? this.#images : null;
-      const images = kept ?? (await this.#allOf(bodies, camera));
+      const isSame = nameOf(bodies, camera) === this.#cast && !this.#images?.lost;
+      const images = (isSame ? this.#images : null) ?? (await this.#allOf(bodies, camera));
       this.#lent = images;
+      if (images.lost) throw new Error(WORDS.picturePart);
       return await draw(Array.from({ length: images.whole }, (_, i) => () => images.image(i)));
     } finally {
       if (this.#lent !== this.#images) this.#lent?.drop?.();
@@ -199,9 +200,18 @@ export class Exact {
     return new Promise((resolve, reject) => {
       const casting = this.#caster.cast(bodies, camera, {
         changed: () => casting.count === casting.whole && resolve(casting),
+        spare: () => this.#spare(),
         refused: (why) => reject(new Error(why)),
       });
     });
+  }
+
+  /** Gives back what is whole on the screen, which is cast anew after the picture. */
+  #spare(): boolean {
+    if (!this.#images) return false;
+    this.#giveUp();
+    this.#cast = '';
+    return true;
   }
 
   #keep(): void {

@@ -53,7 +53,7 @@ export class RayWorker implements Caster {
   #latest = 0;
   /** null: nothing is wanted, or all of it is there */
   #casting: Casting | null = null;
-  /** pictures for which one did not start, the last of them, and why */
+  /** pictures for which one did not start since one did, the last of them, and why */
   #failures = 0;
   #failedFor = 0;
   #why = '';
@@ -180,10 +180,8 @@ export class RayWorker implements Caster {
     if (count < DEADLY) jobs.giveBack([job]);
     else images.lose(job);
     const all = [...lostOver.values()].reduce((sum, each) => sum + each, 0);
-    if (all >= MOST_LOST || images.isLost) {
-      this.#fail(why);
-      this.#refuse(why);
-    } else if (this.#hands.length === 0) {
+    if (all >= MOST_LOST || images.isLost) this.#refuse(why);
+    else if (this.#hands.length === 0) {
       this.#fill(1);
       this.#tell(asked);
     }
@@ -197,6 +195,7 @@ export class RayWorker implements Caster {
   }
 
   #hear(said: FromExact, hand: Hand): void {
+    if (!hand.isStarted) this.#failures = 0;
     hand.isStarted = true;
     const casting = this.#casting;
     if (!casting || said.id !== this.#latest) return;

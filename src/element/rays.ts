@@ -50,6 +50,7 @@ export class Rays implements Caster {
     const images = new Casting();
     images.of = device.cast(bodies, camera, {
       changed: () => listener.changed(),
+      spare: () => listener.spare?.() ?? false,
       refused: (why, trees = []) => {
         // it is gone, and so is the picture
         if (this.#device !== device) {

@@ -67,6 +67,7 @@ export const WORDS = {
   raysRefused: (why: string) => `Processors or triangles stand in for rays: ${why}`,
   inPart: (exact: string) => `${exact} · some rows triangles`,
   rowsLost: 'Some rows of the picture could not be cast: bodies are triangles there',
+  picturePart: 'There is no exact picture: some rows could not be cast',
   notExact: 'no rays here, triangles',
   noExact: (why: string) => `There is no exact surface here, bodies stay triangles: ${why}`,
   style: (name: string) => `Style: ${name.toLowerCase()}`,

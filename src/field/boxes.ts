@@ -21,3 +21,7 @@ export function meet(a: Box | null, b: Box | null): Box | null {
 export function grown({ min, max }: Box, d: number): Box {
   return { min: [min[0] - d, min[1] - d, min[2] - d], max: [max[0] + d, max[1] + d, max[2] + d] };
 }
+
+/** mm, of its sides. */
+export const longest = ({ min, max }: Box): number =>
+  Math.max(max[0] - min[0], max[1] - min[1], max[2] - min[2]);

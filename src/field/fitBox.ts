@@ -8,7 +8,7 @@
  */
 import type { Vec3 } from '../math/vec.ts';
 import { type Box, FieldError } from '../skeleton/skeleton.ts';
-import { meet } from './boxes.ts';
+import { longest, meet } from './boxes.ts';
 import type { Near } from './near.ts';
 
 /** of the longest side of what is left: how large the foremost cubes are */
@@ -110,8 +110,4 @@ export function grownWhere(box: Box, exits: readonly boolean[]): Box | null {
   const larger = { min: of('min'), max: of('max') };
   if (!larger.max.every(Number.isFinite)) throw new FieldError('the body has no end');
   return larger;
-}
-
-function longest({ min, max }: Box): number {
-  return Math.max(max[0] - min[0], max[1] - min[1], max[2] - min[2]);
 }

@@ -9,8 +9,9 @@ import type { Vec3 } from '../math/vec.ts';
 import { WITH_GRADIENT } from '../skeleton/work.ts';
 import { bindField } from './bind.ts';
 import type { SkelsNode } from './node.ts';
+import { piecesOf } from './pieces.ts';
 import type { TreeField } from './treeField.ts';
-import { boundingVolumes, OVERLAP, piecesOf, type Volume, within } from './zhuVolumes.ts';
+import { boundingVolumes, OVERLAP, type Volume, within } from './zhuVolumes.ts';
 
 /** parts of a step */
 const SMALLEST = 1 / 64;

@@ -3,13 +3,12 @@
  * cylinder and two spheres about a segment, the same about the edges of a polygon and a prism over it. Their size is the offset
  * distance (eqs. 17–19, put right: docs/fields.md, Offsets) for T over the number of skels that overlap.
  */
-import { kernelNamed } from '../kernel/index.ts';
 import { cross3, dot3, sub3 } from '../math/tuple.ts';
 import type { Vec3 } from '../math/vec.ts';
 import type { PolygonSkel, Skel } from '../skeleton/skels.ts';
 import { boundTerms } from './bind.ts';
-import { expanded } from './expand.ts';
-import type { SkelsNode, Term } from './node.ts';
+import type { SkelsNode } from './node.ts';
+import { piecesOf } from './pieces.ts';
 
 /** skels that may overlap in a place: N of eq. 18 */
 export const OVERLAP = 8;
@@ -39,25 +38,12 @@ export interface Prism {
   readonly radius: number;
 }
 
-/** Points, segments and polygons that the skels of a body become, and whose they are. */
-export const piecesOf = ({
-  skels,
-  kernel,
-  params,
-  threshold,
-}: SkelsNode): readonly (readonly [Skel, Term, number])[] =>
-  skels.flatMap((term) =>
-    expanded(term.skel, kernelNamed(kernel)!, term.params ?? params, threshold).map(
-      (piece, i) => [piece, term, i] as const,
-    ),
-  );
-
 /** Of all of a body's skels: where none reaches, nothing is inside. Those of skels with cross sections are too small. */
 export function boundingVolumes(node: SkelsNode, overlap = OVERLAP): readonly Volume[] {
   const pieces = piecesOf(node);
   const shared = node.threshold / Math.min(pieces.length, overlap);
-  return pieces.flatMap(([skel, term, i]) => {
-    const { field, factor } = boundTerms(term, node)[i]!;
+  return pieces.flatMap(({ skel, term, number }) => {
+    const { field, factor } = boundTerms(term, node)[number]!;
     return volumesOf(skel, field.offset(shared / Math.abs(factor)));
   });
 }

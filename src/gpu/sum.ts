@@ -1,7 +1,7 @@
 /** The records of a convolution body: its skels, their warps, and the terms that put them together. Twin of src/field/skelSum.ts. */
 import { PLAIN } from '../field/bind.ts';
-import { expanded } from '../field/expand.ts';
 import type { SkelsNode, Term } from '../field/node.ts';
+import { piecesOf } from '../field/pieces.ts';
 import { type Frame, framed, type Warp } from '../field/warp.ts';
 import { kernelNamed } from '../kernel/index.ts';
 import type { Kernel } from '../kernel/kernel.ts';
@@ -18,11 +18,7 @@ type TermRecord = RecordValue<(typeof TERM)['members']>;
 /** Adds the record of a checked body and all it refers to; says where. */
 export function addSum(writer: Writer, node: SkelsNode): number {
   const kernel = kernelNamed(node.kernel)!;
-  const terms = node.skels.flatMap((term) =>
-    expanded(term.skel, kernel, term.params ?? node.params, node.threshold).map((skel) =>
-      addTerm(writer, node, kernel, term, skel),
-    ),
-  );
+  const terms = piecesOf(node).map(({ skel, term }) => addTerm(writer, node, kernel, term, skel));
   const { heap } = writer;
   const first = heap.next;
   for (const term of terms) heap.add(TERM, term);

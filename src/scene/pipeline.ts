@@ -228,7 +228,8 @@ export class Pipeline {
       this.#cover(refinement.shown, this.#output);
     }
     this.#fade.known = known;
-    this.#fade.lost = image.lost ?? null;
+    // of a frame of its own there is none before
+    this.#fade.lost = alone ? null : (image.lost ?? null);
     this.#fade.share = 1 - (isPart ? 1 : refinement.count) / enough;
     if (this.#fade.isSeen) this.#blend(this.#fade.over, this.#output);
     this.#finish();
@@ -238,9 +239,12 @@ export class Pipeline {
   /** Keeps the picture of the last frame, which then lies over the frames to come; false where there is none. */
   keep(): boolean {
     if (!this.#sheet) return false;
+    const { count, shown } = this.#refinement;
     this.#fade.kept.setSize(this.#size.x, this.#size.y);
-    this.#cover(this.#sheet, this.#fade.kept);
+    this.#cover(count > 0 ? shown : this.#sheet, this.#fade.kept);
     this.#renderer.setRenderTarget(null);
+    // it is of the frame before from now on, which the next one is to be seen through
+    this.#refinement.end();
     this.#fade.share = 1;
     this.#fade.lost = null;
     this.#fade.known = ALL;

@@ -87,6 +87,9 @@ describe('DeviceLive', () => {
       await Promise.resolve();
     }
     expect([rooms, casts, told.length]).toEqual([0, 0, 1]);
+    // there may be room once all have rested
+    live.idle();
+    await vi.waitFor(() => expect(image()).not.toBeNull());
   });
 
   it('rays that the device refuses are the last ones', async () => {

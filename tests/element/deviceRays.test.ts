@@ -142,6 +142,37 @@ describe('DeviceRays', () => {
     expect(await cast(camera(30, 30), node)).toBe('whole');
   });
 
+  it('what was too large is tried again once all have rested', async () => {
+    raycaster.refuses = () => true;
+    expect(await cast(camera(40, 30), sphere(5))).not.toBe('whole');
+    raycaster.refuses = () => false;
+    expect(await cast(camera(40, 40), sphere(5))).toEqual(['as many rays were refused before', []]);
+    rays.idle();
+    expect(await cast(camera(40, 40), sphere(5))).toBe('whole');
+  });
+
+  it.each([true, false])('room for it is made once, of pictures that can be cast again: %s', async (can) => {
+    const first = rays.cast([shown(sphere(5))], camera(40, 30), { changed: () => {}, refused: () => {} });
+    await vi.waitFor(() => expect(first.count).toBe(5));
+    raycaster.refuses = (asked) => asked === 'image' && raycaster.rooms >= 7;
+    let asked = 0;
+    const spare = () => {
+      if (asked++ > 0 || !can) return false;
+      first.drop!();
+      return true;
+    };
+    const came = await new Promise((resolve) => {
+      const images = rays.cast([shown(sphere(5))], camera(30, 30), {
+        changed: () => images.count === images.whole && resolve('whole'),
+        spare,
+        refused: resolve,
+      });
+    });
+    expect(asked).toBe(1);
+    expect(came).toEqual(can ? 'whole' : expect.stringContaining('refused an image'));
+    expect(raycaster.rooms).toBe(5);
+  });
+
   it('images are there until they are dropped', async () => {
     expect(await cast(camera(40, 30), sphere(5))).toBe('whole');
     expect(raycaster.rooms).toBe(5);

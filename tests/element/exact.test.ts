@@ -63,17 +63,22 @@ class DroppedCaster implements Caster {
   casts = 0;
   cast(_bodies: unknown, camera: RayCamera, listener: CastListener): CastImages {
     this.casts++;
+    if (this.isSmall && this.left > 0) expect(listener.spare?.()).toBe(true);
     this.left++;
     queueMicrotask(() => listener.changed());
     const image = { camera, items: [] } as unknown as SurfaceImage;
     return {
       ...{ count: 5, whole: 5, known: [0, 1], share: 1, evaluationsAPixel: 1, milliseconds: 1 },
+      lost: this.lost,
       image: () => image,
       drop: () => void this.left--,
     };
   }
+  lost: readonly [from: number, to: number] | null = null;
+  /** it has room for one picture */
+  isSmall = false;
   lives = 0;
-  live(): SurfaceImage {
+  live(): SurfaceImage | null {
     this.lives++;
     return { camera: {}, items: [] } as unknown as SurfaceImage;
   }
@@ -307,6 +312,23 @@ describe('Exact', () => {
     expect(caster.casts).toBe(2);
   });
 
+  it('gives what is on the screen back for a picture that has no room beside it, and casts it again', async () => {
+    const caster = new DroppedCaster();
+    caster.isSmall = true;
+    exact = new Exact(() => {}, caster);
+    rested();
+    for (let i = 0; i < 10; i++) exact.frame(seen());
+    const size = { width: 8, height: 6 };
+    await exact.picture(BODIES, FRONT_VIEW, size, async () => expect(caster.left).toBe(1));
+    expect([caster.left, caster.casts]).toEqual([0, 2]);
+    // the mean of what was there is no longer of anything
+    expect(exact.frame(seen())).toBe(false);
+    refined = 0;
+    vi.advanceTimersByTime(1000);
+    for (let i = 0; i < 10; i++) exact.frame(seen());
+    expect([caster.left, caster.casts, exact.isWhole]).toEqual([1, 3, true]);
+  });
+
   it('keeps what is whole while nothing is wanted, and through pictures, of which the same is cast once', async () => {
     rested();
     worker.answer();
@@ -371,6 +393,32 @@ describe('Exact', () => {
     expect(caster.lives).toBe(0);
     exact.live(seen({ view: { ...FRONT_VIEW, height: 50 } }));
     expect(caster.lives).toBe(1);
+  });
+
+  it('shows no image alone that has lost rows, whatever is another', () => {
+    const caster = new DroppedCaster();
+    caster.lost = [0.2, 0.4];
+    caster.live = () => null;
+    exact = new Exact(() => {}, caster);
+    rested();
+    for (let i = 0; i < 10; i++) exact.frame(seen());
+    expect(exact.isInPart).toBe(true);
+    drawn = [];
+    expect(exact.live(seen())).toBe(false);
+    expect(drawn).toEqual([]);
+  });
+
+  it('makes no picture with lost rows, but casts what had some on the screen once more for it', async () => {
+    const caster = new DroppedCaster();
+    caster.lost = [0.2, 0.4];
+    exact = new Exact(() => {}, caster);
+    rested();
+    for (let i = 0; i < 10; i++) exact.frame(seen());
+    const draw = async () => 'drawn';
+    await expect(exact.picture(BODIES, FRONT_VIEW, PIXELS, draw)).rejects.toThrow('no exact picture');
+    expect([caster.casts, caster.left]).toEqual([2, 1]);
+    caster.lost = null;
+    expect(await exact.picture(BODIES, FRONT_VIEW, PIXELS, draw)).toBe('drawn');
   });
 
   it('is not idle as long as something moves', () => {

@@ -264,6 +264,37 @@ describe('workers that share a picture', () => {
     expectWhole(images);
   });
 
+  it('goes on trying after pictures that killed all who did start', () => {
+    const { workers, cast, refused } = pool(2);
+    for (let picture = 1; picture < 6; picture++) {
+      cast();
+      for (let step = 0; step < 50; step++) {
+        const worker = workers.find(({ todo, ended }) => !ended && todo.length > 0);
+        worker?.begin();
+        worker?.fail();
+      }
+      expect(refused).toEqual(Array(picture).fill('out of memory'));
+    }
+    const images = cast();
+    run(workers, random(1));
+    expectWhole(images);
+  });
+
+  it('counts those that did not start in a row, not those before one did', () => {
+    const { workers, cast } = pool(1);
+    for (let picture = 0; picture < 5; picture++) {
+      cast();
+      workers.at(-1)!.fail('no file');
+      cast();
+      workers.at(-1)!.begin();
+      workers.at(-1)!.fail();
+      workers.at(-1)!.begin();
+    }
+    const images = cast();
+    run(workers, random(1));
+    expectWhole(images);
+  });
+
   it('tells once when all are lost, or one refuses, and can go on', () => {
     const { workers, cast, refused } = pool(3);
     cast();

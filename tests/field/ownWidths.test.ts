@@ -38,7 +38,7 @@ describe('a sum of several widths', () => {
     const node = widths('cauchy');
     const skels = [...node.skels, { ...node.skels[0]!, params: { R: 3 } }];
     expect(() => bindField({ ...node, skels })).toThrow(
-      "skels[3].params: kernel cauchy has no parameter 'R'",
+      "skels[5].params: kernel cauchy has no parameter 'R'",
     );
   });
 });

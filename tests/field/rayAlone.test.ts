@@ -12,6 +12,7 @@ import { carvedTree } from '../bench/scenes/trees.ts';
 import { random } from '../fixtures/random.ts';
 import { finished } from './finished.ts';
 import { firstHit } from './rays.ts';
+import { placed } from './trees.ts';
 
 const SCENES: readonly (readonly [name: string, node: FieldNode, rays: number])[] = [
   ['16 segments', sceneNode('tree16'), 60],
@@ -52,4 +53,13 @@ test.each(SCENES)('%s, seed 7', (_name, node, count) => {
   const mean = works.reduce((sum, work) => sum + work) / works.length;
   expect(mean).toBeLessThan(100 * Math.max(skelsOf(node), 1));
   expect(hits).toBeGreaterThan(3);
+});
+
+test.each([
+  ['no end in numbers', 1e308, 0, 'not bounded by finite numbers'],
+  ['squares without one', 1e200, 0, 'not bounded by finite numbers'],
+  ['a place that has no digits for its size', 1, 1e16, 'too far off'],
+])('%s is refused', (_name, radius, off, why) => {
+  const ball: FieldNode = { type: 'shape', shape: { type: 'sphere', radius } };
+  expect(() => rayAlone(bindField(placed(ball, off, 0, 0)))).toThrow(why);
 });

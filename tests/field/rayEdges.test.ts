@@ -85,8 +85,10 @@ describe('a needle thinner than a pixel', () => {
       const caster = new SceneCaster(bodies, through);
       for (let y = 0; y < through.height; y++) caster.row(image, y);
       const edges = edgesOf(image, through);
-      // some pixels to its sides, more of them in larger bricks, whose bounds are looser; the wall fills the picture, and has none
-      expect(edges.length).toBeLessThan(behind === 'a wall of the same body' ? 25 * 50 : 8 * 50);
+      // some pixels to its sides (92 to 141 of them), more in larger bricks, whose bounds are looser: with a wall of the same body a segment's, which
+      // are of sums, say of 1,118 to 1,178 pixels that it may be there; the wall fills the picture, and has no edges
+      const isLoose = kind === 'segment' && behind === 'a wall of the same body';
+      expect(edges.length).toBeLessThan(isLoose ? 25 * 50 : 4 * 50);
       let met = 0;
       for (const offset of OFFSETS) {
         const again = new SceneCaster(bodies, { ...through, offset });
@@ -118,6 +120,7 @@ describe.each([0, 40])('opening %d°', (fov) => {
     const hits = base.surface.filter((value, i) => i % 4 === 3 && value !== NOWHERE).length;
     expect(hits).toBeGreaterThan(500);
     expect(edges.length).toBeGreaterThan(100);
+    // .638 orthographic, .618 in perspective: so small a picture of rings, creases and corners is half edges
     expect(edges.length).toBeLessThan(0.65 * hits);
     expect([...edges]).toEqual([...edges].sort((a, b) => a - b));
   });

@@ -1,4 +1,5 @@
 /** The picture of the field page: one painted part, its camera, and frames only when something moved. */
+import { longest } from '../../field/boxes.ts';
 import type { FieldMesh } from '../../field/brickMesh.ts';
 import type { Comparison } from '../../field/zhuImage.ts';
 import { cos, PI, sin } from '../../math/trig.ts';
@@ -28,8 +29,6 @@ const FIRST_VIEW: View = { ...FRONT_VIEW, rotation: turned(YAW, PITCH) };
 
 /** as many times as large as what the picture was fitted to */
 const OUTGROWN = 1.8;
-
-const longest = ({ min, max }: Box): number => Math.max(max[0] - min[0], max[1] - min[1], max[2] - min[2]);
 
 /** null: nothing is to be seen; what is on the device may be empty all the same */
 function boxOf(mesh: FieldMesh | DeviceMesh): Box | null {

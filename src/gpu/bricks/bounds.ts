@@ -4,11 +4,11 @@
  */
 import { stretches } from '../../field/affine.ts';
 import { bindField } from '../../field/bind.ts';
-import { expanded } from '../../field/expand.ts';
 import { Tally } from '../../field/near.ts';
 import { MOST_MISSED } from '../../field/nearCut.ts';
 import type { FieldNode, SkelsNode } from '../../field/node.ts';
-import { kernelNamed } from '../../kernel/index.ts';
+import { piecesOf } from '../../field/pieces.ts';
+import type { RecordValue } from '../../math/record.ts';
 import { leavesOf } from '../polygonize/lists.ts';
 import { type Program, type Step, TAKE } from '../program.ts';
 import { BOUND, LEAF, PLACE, SUM, TERM } from '../structs.ts';
@@ -33,12 +33,7 @@ export function boundedProgram(node: FieldNode, program: Program): BoundedProgra
     const count = bounds.length;
     const own = first + (bounds.length * BOUND.stride) / ROW;
     const sum = step.take === TAKE.SUM ? SUM.read(viewOf(program, step.at), 0) : null;
-    if (sum) {
-      piecesOf(bodies[leafOf[i]!]!).forEach(({ skel, section }, number) => {
-        const term = TERM.read(viewOf(program, sum.first + (number * TERM.stride) / ROW), 0);
-        bounds.push(boundOf(program, term, skel, section));
-      });
-    }
+    if (sum) bounds.push(...boundsOf(program, sum, bodies[leafOf[i]!]!));
     return {
       stretch: stretchOf(program, step),
       slope: slopes[leafOf[i]!] ?? 0,
@@ -52,6 +47,21 @@ export function boundedProgram(node: FieldNode, program: Program): BoundedProgra
     records: joined([program.records, table, LEAF.pack(leaves)]),
     leaves: first + table.byteLength / ROW,
   };
+}
+
+/** Of the terms of a body, as they were written. */
+function boundsOf(
+  program: Program,
+  { first, end }: Pick<RecordValue<(typeof SUM)['members']>, 'first' | 'end'>,
+  body: SkelsNode,
+): readonly Bound[] {
+  const pieces = piecesOf(body);
+  const rows = TERM.stride / ROW;
+  if (pieces.length * rows !== end - first)
+    throw new Error(`${pieces.length} bounds of ${(end - first) / rows} terms`);
+  return pieces.map(({ skel, term: { warp } }, number) =>
+    boundOf(program, TERM.read(viewOf(program, first + number * rows), 0), skel, warp?.section),
+  );
 }
 
 /** Of terms that all change alike, and in proportion to themselves. */
@@ -99,12 +109,6 @@ function bodiesOf(node: FieldNode): readonly (SkelsNode | null)[] {
       return node.parts.flatMap(bodiesOf);
   }
 }
-
-/** What its terms are of, as they were written. */
-const piecesOf = ({ skels, kernel, params, threshold }: SkelsNode) =>
-  skels.flatMap(({ skel: own, warp }) =>
-    expanded(own, kernelNamed(kernel)!, params, threshold).map((skel) => ({ skel, section: warp?.section })),
-  );
 
 function joined(parts: readonly ArrayBuffer[]): ArrayBuffer {
   const all = new Uint8Array(parts.reduce((sum, { byteLength }) => sum + byteLength, 0));

@@ -14,6 +14,7 @@ import { taylorAt } from '../../../src/skeleton/taylor.ts';
 import { Lot } from '../../field/lot.ts';
 import { randomBody, randomTree } from '../../field/randomTrees.ts';
 import { body, box, placed, sphere } from '../../field/trees.ts';
+import { widths } from '../../field/widths.ts';
 import { bricksOf } from '../../fixtures/bricks.ts';
 import { closeDawn, dawnGpu, describeGpu } from '../dawn.ts';
 import { EVERYTHING } from '../everything.ts';
@@ -116,6 +117,27 @@ describeGpu('bricks of the device', () => {
         expectInOrder(culled);
       });
       expect(ratio(all, found)).toBeLessThan(1.03);
+    },
+    PATIENCE,
+  );
+
+  it(
+    'of bodies whose terms have widths of their own hold the surface (places by lot, seed 105)',
+    async () => {
+      const lot = new Lot(105);
+      const all = ['cauchy', 'quartic'].flatMap((kernel): readonly Scene[] => {
+        const node = widths(kernel);
+        return [node, { ...node, skels: [...node.skels].reverse() }].map((node) => ({
+          node,
+          lattice: latticeAround(bindField(node).box!, CELLS),
+        }));
+      });
+      const found = await culledOn(device, all, EVERYTHING);
+      found.forEach((culled, i) => {
+        expect(wrong(lot, all[i]!, culled)).toEqual([]);
+        expectInOrder(culled);
+      });
+      expect(ratio(all, found)).toBeLessThan(1.05);
     },
     PATIENCE,
   );

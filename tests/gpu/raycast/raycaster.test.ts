@@ -16,6 +16,7 @@ import { Lot } from '../../field/lot.ts';
 import { shape } from '../../field/meshes.ts';
 import { randomTree } from '../../field/randomTrees.ts';
 import { body, placed, sphere } from '../../field/trees.ts';
+import { widths } from '../../field/widths.ts';
 import { withDevice } from '../compute.ts';
 import { closeDawn, describeGpu } from '../dawn.ts';
 
@@ -160,6 +161,7 @@ describeGpu('rays on the device are those of the CPU', () => {
     ],
     ['a drawn section', sectioned({ type: 'polar', radii: LOBES }), 48, camera(24, 0)],
     ['an egg less another', eggs, 48, camera(24)],
+    ['terms with widths of their own', widths('quartic'), 48, camera(50)],
   ] as const)('%s', async (_, node, cells, of) => {
     const { hits, either, apart, normal, colour } = await compare(node, cells, of);
     expect(hits).toBeGreaterThan(50);
