@@ -2,7 +2,7 @@
  * Rows of solids in the hand: dropped on a form or a component they blend with it, on a solid they are attached to it, between parts they are a
  * solid of their own. A mouse drags at once; a finger and a pen scroll, and drag after they rested.
  */
-import { groupsChosen, groupsIn } from '../document/chosen.ts';
+import { groupsChosen } from '../document/chosen.ts';
 import { apply } from '../document/command/index.ts';
 import { type Document, isSolid, type Joins } from '../document/document.ts';
 import { joinSelection } from './partDeeds.ts';
@@ -58,13 +58,8 @@ const own = (id: string | null, side: Drop['side']): Drop => ({
 });
 
 function changesAnything(document: Document, ids: readonly string[], to: Joins | null): boolean {
-  const taken = groupsChosen(document, ids);
-  const [first] = taken;
-  if (!first) return false;
-  const isAll = taken.every(({ component }) => component === first.component);
-  if (!to) return !(isAll && groupsIn(first.solid).length === taken.length);
-  const groups = taken.map(({ group }) => group.id);
-  return apply(document, { type: 'moveGroups', ids: groups, to }) !== document;
+  const groups = groupsChosen(document, ids).map(({ group }) => group.id);
+  return groups.length > 0 && apply(document, { type: 'moveGroups', ids: groups, to }) !== document;
 }
 
 /** What a drag needs of the list. */

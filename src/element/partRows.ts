@@ -102,7 +102,6 @@ export function madeOf(part: Part): string {
     : PART_WORDS.strokes(part.strokes.length);
 }
 
-/** What is not seen of it. */
 /** "Soft · 12 skels", "Ring · 6 mm", "3 forms · 60 skels" */
 export function factsOf({ part, component, group }: Row): string[] {
   if (group) return factsOfGroup(group, component!);

@@ -68,11 +68,13 @@ export function leaveSkeleton(session: Session): boolean {
   return true;
 }
 
-/** Delete: false when no node is chosen. */
+/** Delete: false when no skeleton is shown. */
 export function removeNode(session: Session): boolean {
   const at = isSkeletonOn(session) ? selectedSkeleton(session) : null;
   const node = at && chosenNode(session, at);
-  if (!at || node === null) return false;
+  if (!at) return false;
+  // without a node nothing is deleted: what is looked at is the skeleton, and not the form
+  if (node === null) return true;
   edit(session, at, without(at.graph, node));
   chooseNode(session, null);
   return true;

@@ -132,3 +132,39 @@ it('what carves where nothing is becomes a body like others', () => {
   );
   expect(groupsOf(solidOf(kept))[0]!.shape.weight).toBe(1);
 });
+
+describe('groups that are moved', () => {
+  const at = (component: string | null): Command => ({
+    type: 'addStroke',
+    stroke: ring(12, 30),
+    joins: { solid: 'part-1', component },
+  });
+  /** components of two and of two */
+  const four = done(stroke(ring(40)), KEEP, at('component-2'), KEEP, at(null), KEEP, at('component-8'), KEEP);
+  const ids = solidOf(four).components.map(({ groups }) => groups.map(({ id }) => id));
+
+  it('have these components to begin with', () => expect(ids.map(({ length }) => length)).toEqual([2, 2]));
+
+  it('stay what they are where a whole solid goes to itself or to its own', () => {
+    for (const to of [{ solid: 'part-1', component: null }, null]) {
+      expect(apply(four, { type: 'moveGroups', ids: ['part-1'], to })).toBe(four);
+    }
+  });
+
+  it('one of each component becomes a third', () => {
+    const to = { solid: 'part-1', component: null };
+    const moved = apply(four, { type: 'moveGroups', ids: [ids[0]![0]!, ids[1]![0]!], to });
+    expect(solidOf(moved).components.map(({ groups }) => groups.length)).toEqual([1, 1, 2]);
+    expect(readAgain(moved)).toEqual(moved);
+  });
+
+  it('components that are taken whole go on as they are', () => {
+    const twice = apply(four, { type: 'duplicateParts', ids: ['part-1'], offset: [0, 0, 90] });
+    const copy = twice.parts[1]!;
+    const to = { solid: 'part-1', component: null };
+    const moved = apply(twice, { type: 'moveGroups', ids: [copy.id], to });
+    expect(moved.parts).toHaveLength(1);
+    expect(solidOf(moved).components.map(({ groups }) => groups.length)).toEqual([2, 2, 2, 2]);
+    expect(readAgain(moved)).toEqual(moved);
+  });
+});

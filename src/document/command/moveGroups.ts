@@ -19,13 +19,13 @@ export const moveGroups: CommandKind<'moveGroups', Data> = {
   apply(document, { ids, to }) {
     const taken = takenFrom(document, ids);
     if (taken.length === 0) return document;
+    if (!to && isWholeSolid(taken)) return document;
     if (!to) return settled(document, [...without(document, ids), ownSolid(document, taken)]);
     const target = document.parts.filter(isSolid).find(({ id }) => id === to.solid);
     const isThere =
       target && (to.component === null || target.components.some(({ id }) => id === to.component));
     if (!isThere || isThereAlready(target, to, taken)) return document;
-    const groups = taken.map(({ group, from }) => placedIn(group, from, target.placement));
-    return settled(document, joined(document, ids, target, to, groups));
+    return settled(document, joined(document, ids, target, to, taken));
   },
   describe: (document, { ids, to }) =>
     `${nameOf(document, ids)} ${to ? (to.component ? 'blends' : 'attached') : 'apart'}`,
@@ -49,11 +49,18 @@ function takenFrom({ parts }: Document, ids: readonly string[]): readonly Taken[
   );
 }
 
+const isWhole = (component: Component, taken: readonly Taken[]): boolean =>
+  component.groups.every((group) => taken.some((one) => one.group === group));
+
+/** Beside the others of a solid lies what is all of its component. */
 const isThereAlready = (target: SolidPart, { component }: Joins, taken: readonly Taken[]): boolean =>
   taken.every(
     ({ from, component: now }) =>
-      from === target && (component === null ? now.groups.length === taken.length : now.id === component),
+      from === target && (component === null ? isWhole(now, taken) : now.id === component),
   );
+
+const isWholeSolid = (taken: readonly Taken[]): boolean =>
+  taken.every(({ from }) => from === taken[0]!.from && from.components.every((of) => isWhole(of, taken)));
 
 function placedIn(group: Group, from: SolidPart, into: Placement): Group {
   const by = compose(unplaced(into), from.placement);
@@ -66,34 +73,43 @@ function joined(
   ids: readonly string[],
   target: SolidPart,
   { component }: Joins,
-  groups: readonly Group[],
+  taken: readonly Taken[],
 ): readonly Part[] {
-  const gone = new Set(groups.map(({ id }) => id));
+  const gone = new Set(taken.map(({ group }) => group.id));
+  const groups = taken.map(({ group, from }) => placedIn(group, from, target.placement));
   const kept = target.components.map((of) => ({
     ...of,
     groups: of.groups.filter(({ id }) => !gone.has(id)),
   }));
-  const own = { ...componentFor(document, groups), ...kernelOf(target) };
   const components = component
     ? kept.map((of) => (of.id === component ? { ...of, groups: [...of.groups, ...groups] } : of))
-    : [...kept, own];
+    : [...kept.filter((of) => of.groups.length > 0), ...componentsOf(document, taken, target.placement)];
   const solid = { ...target, components: components.filter((of) => of.groups.length > 0) };
   return without(document, ids, target.id).map((part) => (part.id === target.id ? solid : part));
 }
 
-const kernelOf = ({ components: [first] }: SolidPart) =>
-  first ? { kernel: first.kernel, threshold: first.threshold } : {};
+/** What blended as a whole goes on as a component of its own; single groups become one together. */
+function componentsOf(document: Document, taken: readonly Taken[], into: Placement): readonly Component[] {
+  const wholes = taken.filter(
+    ({ component, group }) => group === component.groups[0] && isWhole(component, taken),
+  );
+  const loose = taken.filter(({ component }) => !isWhole(component, taken));
+  const moved = wholes.map(({ component, from }) => ({
+    ...component,
+    groups: component.groups.map((group) => placedIn(group, from, into)),
+  }));
+  if (loose.length === 0) return moved;
+  const { kernel, threshold } = loose[0]!.component;
+  const groups = loose.map(({ group, from }) => placedIn(group, from, into));
+  return [...moved, { ...componentFor(document, groups), kernel, threshold }];
+}
 
 function ownSolid(document: Document, taken: readonly Taken[]): SolidPart {
-  const groups = taken.map(({ group, from }) => placedIn(group, from, UNMOVED));
-  const number = document.nextId + 1;
-  const { kernel, threshold } = taken[0]!.component;
-  const component = { ...componentFor(document, groups), kernel, threshold };
   return {
-    id: `part-${number}`,
-    name: `${WORD.solid} ${number}`,
+    id: `part-${document.nextId + 1}`,
+    name: `${WORD.solid} ${1 + document.parts.filter(isSolid).length}`,
     kind: 'solid',
-    components: [component],
+    components: componentsOf(document, taken, UNMOVED),
     placement: UNMOVED,
     hidden: false,
   };

@@ -23,7 +23,7 @@ export interface Ink {
   readonly isRough: boolean;
 }
 
-/** Of the component: all groups of a sum share them. */
+/** What skels are made for: the kernel of the component, the width that suits the group, and the usual threshold. */
 export interface Sum {
   readonly kernel: Kernel;
   readonly params: KernelParams;

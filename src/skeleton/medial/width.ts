@@ -1,7 +1,7 @@
 /**
  * How wide a kernel should be for a group of limbs: sharp enough for the thin ones, and wide enough that the thick ones hold their outline.
  *
- * Five forms were fitted well with s R ≥ 0.6 for the least radius R (GEOMETRY-NOTES §9); with ends and nodes that move, thirty forms are off
+ * Five forms were fitted well with s R ≥ 0.6 for the least radius R; with ends and nodes that move, thirty forms are off
  * by .28 % at s R = 2.4, .24 % at 3.2 and .24 % at 4.8.
  */
 import type { Kernel, KernelParams } from '../../kernel/kernel.ts';
