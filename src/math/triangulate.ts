@@ -75,6 +75,26 @@ export function welded(loops: readonly Loop[]): { points: Vec2[]; rings: number[
 
 /** All triangles of the hull, three indices each, the edges among theirs; null where the library refuses, as where edges cross. */
 export function constrained(points: readonly Vec2[], edges: readonly Edge[]): Uint32Array | null {
+  for (const [cosine, sine] of TURNS) {
+    const turned = points.map(([x, y]): [number, number] => [x * cosine - y * sine, x * sine + y * cosine]);
+    const triangles = constrainedOnce(turned, edges);
+    if (triangles) return triangles;
+  }
+  return null;
+}
+
+/**
+ * As given, then turned: rounding falls otherwise on places that were nearly in a row, and what went round in circles seldom does so again.
+ * Of 5,000 outlines four did, triangles of three places among them; cut into ears they have no medial axis to speak of.
+ */
+const TURNS = [
+  [1, 0],
+  [0.8, 0.6],
+  [0.28, 0.96],
+  [-0.6, 0.8],
+] as const;
+
+function constrainedOnce(points: readonly [number, number][], edges: readonly Edge[]): Uint32Array | null {
   try {
     const delaunay = Delaunator.from(points as [number, number][]);
     new Patient(delaunay, LOOKS * (points.length + edges.length)).constrainAll(edges);
