@@ -2,9 +2,9 @@
  * Rows of solids in the hand: dropped on a form or a component they blend with it, on a solid they are attached to it, between parts they are a
  * solid of their own. A mouse drags at once; a finger and a pen scroll, and drag after they rested.
  */
-import { groupsChosen, groupsIn } from '../document/chosen.ts';
-import { apply } from '../document/command/index.ts';
+import { groupsChosen } from '../document/chosen.ts';
 import { type Document, isSolid, type Joins } from '../document/document.ts';
+import { placesFor } from './groupCard.ts';
 import { joinSelection } from './partDeeds.ts';
 import type { Row } from './partRows.ts';
 import type { Session } from './session.ts';
@@ -57,15 +57,11 @@ const own = (id: string | null, side: Drop['side']): Drop => ({
   words: SOLID_WORDS.dropOn.own,
 });
 
-function changesAnything(document: Document, ids: readonly string[], to: Joins | null): boolean {
-  const taken = groupsChosen(document, ids);
-  const [first] = taken;
-  if (!first) return false;
-  const isAll = taken.every(({ component }) => component === first.component);
-  if (!to) return !(isAll && groupsIn(first.solid).length === taken.length);
-  const groups = taken.map(({ group }) => group.id);
-  return apply(document, { type: 'moveGroups', ids: groups, to }) !== document;
-}
+/** As the card offers them. */
+const changesAnything = (document: Document, ids: readonly string[], to: Joins | null): boolean =>
+  placesFor(document, groupsChosen(document, ids)).some(
+    (place) => place.to?.solid === to?.solid && place.to?.component === to?.component,
+  );
 
 /** What a drag needs of the list. */
 export interface DragHost {

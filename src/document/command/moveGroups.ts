@@ -1,7 +1,7 @@
 import { compose, type Placement, UNMOVED, unplaced } from '../../math/placement.ts';
 import { type Document, isSolid, type Joins, type Part, type SolidPart } from '../document.ts';
 import { placedStroke } from '../placedStroke.ts';
-import { type Component, DEFAULT_COMPONENT, type Group, withGroups } from '../solid.ts';
+import { type Component, DEFAULT_COMPONENT, type Group, groupsOf, withGroups } from '../solid.ts';
 import { WORD } from '../words.ts';
 import { nameOf } from './changeParts.ts';
 import type { CommandKind } from './index.ts';
@@ -13,19 +13,24 @@ export interface Data {
   readonly to: Joins | null;
 }
 
-/** Groups go into another component, where they blend with it, or beside the others of a solid. They stay where they are in space. */
+/**
+ * Groups go into another component, where they blend with it, or beside the others of a solid. They stay where they are in space. A solid that is
+ * taken as a whole keeps its components unless it is to blend: beside others, too, it is the form it was.
+ */
 export const moveGroups: CommandKind<'moveGroups', Data> = {
   type: 'moveGroups',
   apply(document, { ids, to }) {
     const taken = takenFrom(document, ids);
     if (taken.length === 0) return document;
-    if (!to) return settled(document, [...without(document, ids), ownSolid(document, taken)]);
+    if (!to) {
+      const isOwn = isOfOne(taken, ({ from }) => from) && isWhole(taken[0]!.from, taken);
+      return isOwn ? document : settled(document, [...without(document, ids), ownSolid(document, taken)]);
+    }
     const target = document.parts.filter(isSolid).find(({ id }) => id === to.solid);
     const isThere =
       target && (to.component === null || target.components.some(({ id }) => id === to.component));
     if (!isThere || isThereAlready(target, to, taken)) return document;
-    const groups = taken.map(({ group, from }) => placedIn(group, from, target.placement));
-    return settled(document, joined(document, ids, target, to, groups));
+    return settled(document, joined(document, ids, target, to, taken));
   },
   describe: (document, { ids, to }) =>
     `${nameOf(document, ids)} ${to ? (to.component ? 'blends' : 'attached') : 'apart'}`,
@@ -49,11 +54,19 @@ function takenFrom({ parts }: Document, ids: readonly string[]): readonly Taken[
   );
 }
 
-const isThereAlready = (target: SolidPart, { component }: Joins, taken: readonly Taken[]): boolean =>
-  taken.every(
-    ({ from, component: now }) =>
-      from === target && (component === null ? now.groups.length === taken.length : now.id === component),
-  );
+const isOfOne = <T>(taken: readonly Taken[], of: (one: Taken) => T): boolean =>
+  taken.every((one) => of(one) === of(taken[0]!));
+
+const isWhole = (solid: SolidPart, taken: readonly Taken[]): boolean =>
+  groupsOf(solid).length === taken.filter(({ from }) => from === solid).length;
+
+function isThereAlready(target: SolidPart, { component: to }: Joins, taken: readonly Taken[]): boolean {
+  if (!taken.every(({ from }) => from === target)) return false;
+  if (to !== null) return taken.every(({ component }) => component.id === to);
+  const isComponent =
+    isOfOne(taken, ({ component }) => component) && taken[0]!.component.groups.length === taken.length;
+  return isComponent || isWhole(target, taken);
+}
 
 function placedIn(group: Group, from: SolidPart, into: Placement): Group {
   const by = compose(unplaced(into), from.placement);
@@ -66,34 +79,48 @@ function joined(
   ids: readonly string[],
   target: SolidPart,
   { component }: Joins,
-  groups: readonly Group[],
+  taken: readonly Taken[],
 ): readonly Part[] {
-  const gone = new Set(groups.map(({ id }) => id));
+  const coming =
+    component === null && isWhole(target, taken) ? taken.filter((one) => one.from !== target) : taken;
+  const gone = new Set(coming.map(({ group }) => group.id));
   const kept = target.components.map((of) => ({
     ...of,
     groups: of.groups.filter(({ id }) => !gone.has(id)),
   }));
-  const own = { ...componentFor(document, groups), ...kernelOf(target) };
+  const blended = () => coming.map(({ group, from }) => placedIn(group, from, target.placement));
   const components = component
-    ? kept.map((of) => (of.id === component ? { ...of, groups: [...of.groups, ...groups] } : of))
-    : [...kept, own];
+    ? kept.map((of) => (of.id === component ? { ...of, groups: [...of.groups, ...blended()] } : of))
+    : [...kept, ...beside(document, coming, target.placement, target.components[0])];
   const solid = { ...target, components: components.filter((of) => of.groups.length > 0) };
   return without(document, ids, target.id).map((part) => (part.id === target.id ? solid : part));
 }
 
-const kernelOf = ({ components: [first] }: SolidPart) =>
-  first ? { kernel: first.kernel, threshold: first.threshold } : {};
+/** Components of whole solids as they are; all else in one, which sums as `like` does. */
+function beside(
+  document: Document,
+  taken: readonly Taken[],
+  into: Placement,
+  like?: Component,
+): readonly Component[] {
+  const wholes = [...new Set(taken.map(({ from }) => from))].filter((from) => isWhole(from, taken));
+  const whole = wholes.flatMap((from) =>
+    from.components.map((of) => ({ ...of, groups: of.groups.map((group) => placedIn(group, from, into)) })),
+  );
+  const loose = taken.filter(({ from }) => !wholes.includes(from));
+  if (loose.length === 0) return whole;
+  const groups = loose.map(({ group, from }) => placedIn(group, from, into));
+  const { kernel, threshold } = like ?? loose[0]!.component;
+  return [...whole, { ...componentFor(document, groups), kernel, threshold }];
+}
 
 function ownSolid(document: Document, taken: readonly Taken[]): SolidPart {
-  const groups = taken.map(({ group, from }) => placedIn(group, from, UNMOVED));
   const number = document.nextId + 1;
-  const { kernel, threshold } = taken[0]!.component;
-  const component = { ...componentFor(document, groups), kernel, threshold };
   return {
     id: `part-${number}`,
     name: `${WORD.solid} ${number}`,
     kind: 'solid',
-    components: [component],
+    components: beside(document, taken, UNMOVED),
     placement: UNMOVED,
     hidden: false,
   };
