@@ -28,7 +28,7 @@ import { profileEditor } from './profileEditor.ts';
 import type { Session } from './session.ts';
 import { skeletonRow } from './skeletonRow.ts';
 import { even, ratios, sliderRow } from './sliderRow.ts';
-import { PART_WORDS, SOLID_WORDS } from './words.ts';
+import { PART_WORDS, SKELETON_WORDS, SOLID_WORDS } from './words.ts';
 
 export function groupCard(session: Session): TemplateResult | typeof nothing {
   const chosen = groupsChosen(session.shown(), session.selection);
@@ -92,8 +92,11 @@ function radios<T>(label: string, choices: readonly Choice<T>[], now: T | null, 
 function radius(session: Session, groups: readonly Group[], of: string): TemplateResult | typeof nothing {
   if (groups.some(({ form }) => form === 'soft')) return nothing;
   const isPlate = groups.every(({ form }) => form === 'plate');
+  const name = isPlate ? SOLID_WORDS.radius.plate : SOLID_WORDS.radius.other;
+  if (groups.every(({ skeleton }) => skeleton))
+    return html`<h3>${name}</h3><p class="quiet-words">${SKELETON_WORDS.profileByHand}</p>`;
   return sliderRow(session, {
-    name: isPlate ? SOLID_WORDS.radius.plate : SOLID_WORDS.radius.other,
+    name,
     of,
     value: same(groups.map(({ brush }) => brush.radius)),
     text: (mm) => `${Math.round(10 * mm) / 10} mm`,

@@ -3,8 +3,8 @@
  * solid of their own. A mouse drags at once; a finger and a pen scroll, and drag after they rested.
  */
 import { groupsChosen } from '../document/chosen.ts';
-import { apply } from '../document/command/index.ts';
 import { type Document, isSolid, type Joins } from '../document/document.ts';
+import { placesFor } from './groupCard.ts';
 import { joinSelection } from './partDeeds.ts';
 import type { Row } from './partRows.ts';
 import type { Session } from './session.ts';
@@ -57,10 +57,11 @@ const own = (id: string | null, side: Drop['side']): Drop => ({
   words: SOLID_WORDS.dropOn.own,
 });
 
-function changesAnything(document: Document, ids: readonly string[], to: Joins | null): boolean {
-  const groups = groupsChosen(document, ids).map(({ group }) => group.id);
-  return groups.length > 0 && apply(document, { type: 'moveGroups', ids: groups, to }) !== document;
-}
+/** As the card offers them. */
+const changesAnything = (document: Document, ids: readonly string[], to: Joins | null): boolean =>
+  placesFor(document, groupsChosen(document, ids)).some(
+    (place) => place.to?.solid === to?.solid && place.to?.component === to?.component,
+  );
 
 /** What a drag needs of the list. */
 export interface DragHost {

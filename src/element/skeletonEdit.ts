@@ -3,6 +3,7 @@ import { moved, split, swollen, without } from '../document/skeletonEdits.ts';
 import { add2, mix2 } from '../math/tuple.ts';
 import type { Vec2 } from '../math/vec.ts';
 import type { MedialGraph } from '../skeleton/medial/axis.ts';
+import { neighboursOf } from '../skeleton/medial/branches.ts';
 import { type NodeTap, type SkeletonAt, skeletonAt } from '../tool/skeleton.ts';
 import type { Session } from './session.ts';
 import { SKELETON_WORDS } from './words.ts';
@@ -68,15 +69,19 @@ export function leaveSkeleton(session: Session): boolean {
   return true;
 }
 
-/** Delete: false when no skeleton is shown. */
+/** Delete: a neighbour is chosen then. False when no skeleton is shown: while one is, the form is not what Delete is for. */
 export function removeNode(session: Session): boolean {
   const at = isSkeletonOn(session) ? selectedSkeleton(session) : null;
-  const node = at && chosenNode(session, at);
   if (!at) return false;
-  // without a node nothing is deleted: what is looked at is the skeleton, and not the form
-  if (node === null) return true;
+  const node = chosenNode(session, at);
+  if (node === null) {
+    session.said = SKELETON_WORDS.chooseNode;
+    session.update();
+    return true;
+  }
+  const next = neighboursOf(at.graph)[node]![0] ?? 0;
   edit(session, at, without(at.graph, node));
-  chooseNode(session, null);
+  chooseNode(session, { node: next > node ? next - 1 : next, time: 0 });
   return true;
 }
 

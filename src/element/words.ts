@@ -389,6 +389,7 @@ export const SKELETON_WORDS = {
   hint: 'Arrow keys move it 1 mm, with Shift 10 mm; plus and minus change its radius; Page Up and Page Down go to the next; Enter splits a link; Delete removes it.',
   add: 'Add a node: drag to where it goes',
   remove: 'Delete the node',
+  chooseNode: 'Choose a node to delete it; Escape leaves the skeleton',
   asDrawn: 'As the strokes say',
   profile: 'Profile',
   profileOf: (name: string) => `Profile of ${name}`,

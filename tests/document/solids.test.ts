@@ -18,6 +18,8 @@ const after = (commands: readonly Command[], from = EMPTY_DOCUMENT): Document =>
 const add = (stroke = circle(20)) => ({ type: 'addStroke', stroke }) as const;
 const KEEP: Command = { type: 'keep' };
 const JOINS = { solid: 'part-1', component: 'component-2' } as const;
+const SECOND = { solid: 'part-1', component: 'component-8' } as const;
+const BESIDE = { solid: 'part-1', component: null } as const;
 
 /** A ball of strokes, a limb that blends with it (group-6), another beside it (group-9); moved and turned as a whole. */
 const figure = after([
@@ -110,6 +112,35 @@ describe('groups that move', () => {
     const back = after([{ type: 'moveGroups', ids: ['group-6'], to: JOINS }], apart);
     expect(back.parts).toHaveLength(1);
     expectNear(valuesIn(back), valuesIn(figure), 1e-9);
+  });
+
+  it('of two components are one of their own, beside the rest', () => {
+    const two = after([{ ...add(line(50, 40)), form: 'line', joins: SECOND }, KEEP], figure);
+    const [a, b] = (two.parts[0] as SolidPart).components.map(({ groups }) => groups.map(({ id }) => id));
+    const moved = after([{ type: 'moveGroups', ids: [a![0]!, b![0]!], to: BESIDE }], two);
+    const found = (moved.parts[0] as SolidPart).components.map(({ groups }) => groups.map(({ id }) => id));
+    expect([a!.length, b!.length]).toEqual([2, 2]);
+    expect(found).toEqual([[a![1]], [b![1]], [a![0], b![0]]]);
+  });
+
+  it('of a whole solid are apart as they were: at home, beside others, never in one', () => {
+    const ids = allGroups(figure).map(({ id }) => id);
+    for (const to of [null, BESIDE])
+      for (const taken of [ids, ['part-1']])
+        expect(after([{ type: 'moveGroups', ids: taken, to }], figure)).toBe(figure);
+    const host = after([add(circle(9)), KEEP], figure);
+    const other = host.parts[1] as SolidPart;
+    for (const taken of [ids, [...ids, ...groupsOf(other).map(({ id }) => id)]]) {
+      const to = { solid: other.id, component: null };
+      const moved = after([{ type: 'moveGroups', ids: taken, to }], host);
+      const [only, ...others] = moved.parts as readonly SolidPart[];
+      expect(others).toEqual([]);
+      expect(only!.components.map(({ id, groups }) => [id, groups.length])).toEqual([
+        [other.components[0]!.id, 1],
+        ...(figure.parts[0] as SolidPart).components.map(({ id, groups }) => [id, groups.length]),
+      ]);
+      expectNear(valuesIn(moved), valuesIn(host), 1e-9);
+    }
   });
 
   it('go nowhere where the solid or the component is not there', () => {

@@ -96,5 +96,13 @@ describe('a drop', () => {
     expect(drop('Eye', part.name, 0.5)).toBeNull();
     expect(drop(ring.name, '', 1)).toBeNull();
     expect(drop(ring.name, ring.name, 0.5)).toBeNull();
+    for (const [row, at] of [
+      [part.name, 0.1],
+      [part.name, 0.5],
+      [first.name, 0.5],
+      [ring.name, 0.1],
+      ['', 3],
+    ] as const)
+      expect(drop(part.name, row, at), `a solid of two components on ${row}`).toBeNull();
   });
 });

@@ -73,8 +73,11 @@ function joined(
   ids: readonly string[],
   target: SolidPart,
   { component }: Joins,
-  taken: readonly Taken[],
+  all: readonly Taken[],
 ): readonly Part[] {
+  // a component of the solid's own that is taken whole is beside the others already
+  const stays = (one: Taken) => component === null && one.from === target && isWhole(one.component, all);
+  const taken = all.filter((one) => !stays(one));
   const gone = new Set(taken.map(({ group }) => group.id));
   const groups = taken.map(({ group, from }) => placedIn(group, from, target.placement));
   const kept = target.components.map((of) => ({
