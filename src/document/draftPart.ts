@@ -40,7 +40,7 @@ export function draftPart(document: Document): SolidPart | null {
 }
 
 /** Ids are those that it gets when it is kept, names count what is there. */
-export function draftGroup(document: Document): Group | null {
+function draftGroup(document: Document): Group | null {
   const { draft, brush, nextId } = document;
   if (!draft || readingOf(document) !== 'solid') return null;
   const joined = joinedOf(document);

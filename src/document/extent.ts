@@ -76,7 +76,7 @@ function boxOfInk(samples: readonly Sample[]): Rectangle {
   return box;
 }
 
-export function middleOfGroup(group: Group, { placement }: Pick<SolidPart, 'placement'>): Vec3 {
+function middleOfGroup(group: Group, { placement }: Pick<SolidPart, 'placement'>): Vec3 {
   const { min, max } = boxOfGroup(group);
   return place3(placement, toWorld(group.strokes[0]!.plane, scale2(add2(min, max), 0.5)));
 }

@@ -27,7 +27,7 @@ import { iconOf } from './partRows.ts';
 import { profileEditor } from './profileEditor.ts';
 import type { Session } from './session.ts';
 import { skeletonRow } from './skeletonRow.ts';
-import { even, ratios, sliderRow } from './sliderRow.ts';
+import { even, percent, ratios, sliderRow } from './sliderRow.ts';
 import { PART_WORDS, SKELETON_WORDS, SOLID_WORDS } from './words.ts';
 
 export function groupCard(session: Session): TemplateResult | typeof nothing {
@@ -107,8 +107,6 @@ function radius(session: Session, groups: readonly Group[], of: string): Templat
     command: (mm) => ({ type: 'setPartBrush', ids: session.selection, change: { radius: mm } }),
   });
 }
-
-const percent = (factor: number) => `${Math.round(100 * factor)} %`;
 
 function depths(session: Session, groups: readonly Group[], of: string): TemplateResult {
   const slider = (

@@ -114,7 +114,7 @@ export function factsOf({ part, component, group }: Row): string[] {
   return [SOLID_WORDS.inside(part.components.length, groupsOf(part).length), madeOf(part)];
 }
 
-export function factsOfGroup(group: Group, component: Component): string[] {
+function factsOfGroup(group: Group, component: Component): string[] {
   const { form, brush, shape, skeleton } = group;
   const skels = form === 'soft' ? (shapedOf(group, component)?.skels.length ?? 0) : 0;
   return [

@@ -6,6 +6,7 @@ import { css, html, nothing, svg, type TemplateResult } from 'lit';
 import { profileAt } from '../document/form/profile.ts';
 import type { Form, Group } from '../document/solid.ts';
 import type { Session } from './session.ts';
+import { percent } from './sliderRow.ts';
 import { SKELETON_WORDS } from './words.ts';
 
 const WITH_PROFILE: readonly Form[] = ['line', 'curve', 'ring'];
@@ -52,8 +53,6 @@ export function pointsOf(profile: readonly number[]): readonly number[] {
   if (profile.length >= POINTS) return profile;
   return Array.from({ length: POINTS }, (_, i) => profileAt({ profile }, i / (POINTS - 1)));
 }
-
-const percent = (factor: number) => `${Math.round(100 * factor)} %`;
 
 function rangeOf(profile: readonly number[]): string {
   const [low, high] = [Math.min(...profile), Math.max(...profile)];

@@ -37,6 +37,8 @@ export const ratios = (min: number, max: number): Scale => ({
   value: (place) => round(min * (max / min) ** (place / 100), 2),
 });
 
+export const percent = (factor: number): string => `${Math.round(100 * factor)} %`;
+
 export function sliderRow(session: Session, options: SliderOptions): TemplateResult {
   const { name, of, value, text, scale, hint, command } = options;
   const place = value === null ? 50 : Math.min(100, Math.max(0, scale.place(value)));

@@ -1,5 +1,5 @@
 /**
- * A drawn loop becomes a polar profile (Tai et al. appendix A; GEOMETRY-NOTES §10).
+ * A drawn loop becomes a polar profile (Tai et al. appendix A).
  *
  * Theory: least squares of r_{k,j} against samples of R(θ). Departure: one joint system of 24 unknowns in which the
  * joints are already the halves of their neighbours. The paper's order (average two samples at each joint, fit, then move

@@ -3,7 +3,7 @@
  *
  * An infinite line of weight w has its isosurface at radius r where w ∫ f = T, a lone point where w f(r) = T, a plate's
  * surface is a distance r away where w ∬ f = T. A finite skel is thinner: the ends of a uniform Cauchy segment have 0.58–0.79
- * of its middle's radius (GEOMETRY-NOTES §9); with its length or area given, its own middle is at r. 1/r needs the length,
+ * of its middle's radius; with its length or area given, its own middle is at r. 1/r needs the length,
  * 1/r and 1/r² the area: of whole lines and planes their field is infinite. Tai et al. 2004 (22)–(24) leave out cross terms
  * that are not small (FIELD-NOTES §1), so their ends come out at 0.42–0.83 T; a fit of several weights is the medial
  * skeleton's business.
@@ -59,7 +59,7 @@ export function plateWeight(
   return quotient(kernel, threshold, plate * whole(unit, 2 + kernel.homogeneity), radius);
 }
 
-/** s times the smallest radius, of the Cauchy kernel: 0.6…1 fit silhouettes to 0.1–0.8 % (GEOMETRY-NOTES §9) */
+/** s times the smallest radius, of the Cauchy kernel: 0.6…1 fit silhouettes to 0.1–0.8 % */
 const SHARPNESS = 0.8;
 /** where the Cauchy kernel in its own unit is one half: √(√2 − 1) */
 const CAUCHY_HALF = 0.6435942529055827;

@@ -1,4 +1,4 @@
-/** Drawn loops become profiles: errors beside those of GEOMETRY-NOTES §10 (root mean square and largest, of R, area π). */
+/** Drawn loops become profiles: errors beside those measured before (root mean square and largest, of R, area π). */
 import { describe, expect, test } from 'vitest';
 import { fitPolarProfile, profileArea } from '../../src/field/polarFit.ts';
 import { LEAST_RADIUS, polarProfile } from '../../src/field/polarProfile.ts';

@@ -35,7 +35,7 @@ export function skeletonOf(
 }
 
 /** As Tai et al. 2004 have it, from places as theirs. */
-export const skeletonPaper = (loops: readonly Loop[]): MedialGraph =>
+const skeletonPaper = (loops: readonly Loop[]): MedialGraph =>
   prunePaper(medialAxis(sampledLoops(held(loops))));
 
 /** Of the outline by evenly spaced places, more where it is thin; with its corners where they would cross. */
