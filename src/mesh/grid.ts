@@ -28,6 +28,14 @@ export interface Row {
   readonly joined: boolean;
 }
 
+/** How the entries of rows hang together. */
+export interface Columns {
+  /** v of each entry, ascending from 0 to 1; at a crease twice the same */
+  readonly vs: readonly number[];
+  /** quads lead to this entry from the one before; false at a crease along the surface. Nothing leads to the first. */
+  readonly joined: readonly boolean[];
+}
+
 /** No triangles: what degenerate input becomes. */
 export function emptyMesh(): Mesh {
   return {
