@@ -40,7 +40,7 @@ export function bendPath(axis: Axis, curve: Curve, keepsLength: boolean): BendPa
     stretch: part * curve.length,
     corners: cornersOf(curve, start, sense, round)
       .map((share) => share / part)
-      .filter((walked) => walked > ON_CORNER * axis.length && walked < (1 - ON_CORNER) * axis.length),
+      .filter((walked) => round || isInside(walked / axis.length)),
     at: (walked, side) => {
       const t = on(walked);
       const inside = round ? t : Math.min(Math.max(t, 0), 1);
@@ -80,6 +80,8 @@ function cornersOf(curve: Curve, start: number, sense: 1 | -1, round: boolean): 
   const shares = curve.corners.map((corner) => sense * (corner - start));
   return (round ? shares.map((share) => share - Math.floor(share)) : shares).sort((a, b) => a - b);
 }
+
+const isInside = (share: number): boolean => share > ON_CORNER && share < 1 - ON_CORNER;
 
 /** A place within rounding of a corner is on it. */
 function snapped(t: number, curve: Curve, round: boolean): number {

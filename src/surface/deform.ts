@@ -35,11 +35,14 @@ export function deform(sheet: Sheet, { curve, plane, keepsLength }: BendInput): 
   const axis = bendAxis(sheet.spine, plane, curve.closed);
   const path = axis && bendPath(axis, curve, keepsLength);
   if (!axis || !path) return sheet;
-  const corners = cornersAlong(axis, path, sheet.rows);
-  const rows = creased(sheet.rows, corners);
+  const corners = cornersAlong(axis, path, sheet.rows, sheet.spine.closed);
+  const rows = creased(
+    sheet.rows,
+    corners.filter((u) => u > 0 && u < 1),
+  );
   const view = sideView(plane);
   const smooth = { view, axis, path, breaks: merged(axis.breaks, corners) };
-  const bending: Bending = { ...smooth, slide: mitres(smooth, corners, rows) };
+  const bending: Bending = { ...smooth, slide: mitres(smooth, corners, rows, sheet.spine.closed) };
   const bent = rows.map((row) => bentRow(row, sheet.spine, bending));
   return { ...sheet, rows: together(bent, rows), spine: bentSpine(sheet.spine, bending) };
 }
@@ -99,9 +102,10 @@ function inOnePlace({ points: a }: SheetRow, { points: b }: SheetRow): boolean {
 }
 
 /** Ascending u at which the way meets a corner of d, more than one for each where it turns back. */
-function cornersAlong(axis: Axis, path: BendPath, rows: readonly SheetRow[]): number[] {
+function cornersAlong(axis: Axis, path: BendPath, rows: readonly SheetRow[], isClosed: boolean): number[] {
   if (path.corners.length === 0) return [];
   const walked = (u: number): number => axis.at(u, 1).walked();
+  const ends = [0, 1].filter((u) => path.corners.some((c) => Math.abs(walked(u) - c) <= SAME * axis.length));
   const found = path.corners.flatMap((corner) =>
     probesBetween(axis.breaks).flatMap((to, i, all) => {
       const from = all[i - 1] ?? to;
@@ -109,8 +113,10 @@ function cornersAlong(axis: Axis, path: BendPath, rows: readonly SheetRow[]): nu
     }),
   );
   const known = [...axis.breaks, ...rows.map(({ at }) => at.u)];
-  const snapped = found.map((u) => known.find((other) => Math.abs(other - u) <= SAME) ?? u);
-  return [...new Set(snapped)].sort((a, b) => a - b);
+  const snapped = [...ends, ...found].map((u) => known.find((other) => Math.abs(other - u) <= SAME) ?? u);
+  // on a closed spine the end is the start
+  const seam = isClosed && snapped.some((u) => u <= SAME || u >= 1 - SAME) ? [0, 1] : [];
+  return [...new Set([...snapped.filter((u) => u > SAME && u < 1 - SAME), ...seam])].sort((a, b) => a - b);
 }
 
 const PROBES = 64;

@@ -26,13 +26,16 @@ export function mitres(
   bending: Omit<Bending, 'slide'>,
   corners: readonly number[],
   rows: readonly SheetRow[],
+  isClosed: boolean,
 ): Slide {
   if (corners.length === 0) return () => [0, 0];
   const plain: Bending = { ...bending, slide: () => [0, 0] };
   const ramps = corners.flatMap((u, i) => {
-    const slope = slopeAt(plain, u);
+    const slope = slopeAt(plain, u, isClosed);
     if (!(Math.abs(slope) > 1e-9)) return [];
-    return ([-1, 1] as const).map((side): Ramp => {
+    // at a closed spine's end there is one side, at its start the other
+    const sides = ([-1, 1] as const).filter((side) => (side === -1 ? u > 0 : u < 1));
+    return sides.map((side): Ramp => {
       const room = side === -1 ? u - (corners[i - 1] ?? -u) : (corners[i + 1] ?? 2 - u) - u;
       const pace = Math.abs(bending.axis.at(u, side).speed()) * bending.path.stretch;
       const mitre = SLIDE_OVER * Math.abs(slope) * reachAt(plain, rows, u, side);
@@ -52,9 +55,11 @@ export function mitres(
 }
 
 /** tan of half the turn of d at u, to the left positive. */
-function slopeAt(bending: Bending, u: number): number {
-  const [before, after] = ([-1, 1] as const).map((side) => headingAt(bending, u, side));
-  const half = 0.5 * atan2(cross2(before!, after!), dot2(before!, after!));
+function slopeAt(bending: Bending, u: number, isClosed: boolean): number {
+  const seam = isClosed && (u === 0 || u === 1);
+  const before = headingAt(bending, seam ? 1 : u, -1);
+  const after = headingAt(bending, seam ? 0 : u, 1);
+  const half = 0.5 * atan2(cross2(before, after), dot2(before, after));
   const kept = Math.min(Math.max(half, -SHARPEST), SHARPEST);
   return sin(kept) / cos(kept);
 }

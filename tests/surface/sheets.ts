@@ -1,6 +1,6 @@
 /** Sheets known in closed form, for the tests of what moves sheets. */
 import { add3, cross3, length3, scale3, sub3 } from '../../src/math/tuple.ts';
-import type { Vec3 } from '../../src/math/vec.ts';
+import type { Vec2, Vec3 } from '../../src/math/vec.ts';
 import type { Sheet, SheetRow, Spine, Station } from '../../src/surface/sheet.ts';
 
 /** A centre curve with its first two derivatives, in the plane z = 0. */
@@ -26,6 +26,21 @@ export function wavy(height: number, waves: number): Centre {
       [height * w * Math.cos(w * u), 100, 0],
       [-height * w * w * Math.sin(w * u), 0, 0],
     ],
+  };
+}
+
+/** A cubic Bézier curve through the given control points. */
+export function cubic(...[a, b, c, d]: readonly [Vec2, Vec2, Vec2, Vec2]): Centre {
+  const along = (f: (k: 0 | 1) => number): Vec3 => [f(0), f(1), 0];
+  return {
+    at: (u) => {
+      const v = 1 - u;
+      return [
+        along((k) => v * v * v * a[k] + 3 * v * v * u * b[k] + 3 * v * u * u * c[k] + u * u * u * d[k]),
+        along((k) => 3 * (v * v * (b[k] - a[k]) + 2 * v * u * (c[k] - b[k]) + u * u * (d[k] - c[k]))),
+        along((k) => 6 * (v * (c[k] - 2 * b[k] + a[k]) + u * (d[k] - 2 * c[k] + b[k]))),
+      ];
+    },
   };
 }
 
