@@ -377,6 +377,7 @@ export class RotundSketch extends SketchApi {
     const key = JSON.stringify([view, state.carried, state.skeleton?.nodes, frames.triangles]);
     if (key === this.#viewKey) return;
     this.#viewKey = key;
+    this.session.hoverAgain();
     this.requestUpdate();
   }
 

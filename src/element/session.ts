@@ -131,6 +131,8 @@ export class Session implements Bench, Viewport {
     isRough: false,
   };
   readonly #timing = new Timing();
+  /** where the pen is over the picture */
+  #hovering: Pen | null = null;
   /** ms, while what the pen drew is taken in */
   #lifted: number | null = null;
   readonly frames: Frames;
@@ -222,6 +224,7 @@ export class Session implements Bench, Viewport {
     if (commands.some(({ type }) => type === 'load')) this.bodies.forget();
     this.wantBodies();
     this.select(this.selection);
+    this.hoverAgain();
     this.#hooks.committed(commands, cause);
   }
 
@@ -500,10 +503,22 @@ export class Session implements Bench, Viewport {
 
   down(pen: Pen): void {
     this.#clearPassing();
+    this.#hovering = null;
     // A stroke is drawn from where one looks now: a move of the camera ends here and does not go on afterwards.
     const rig = this.scene?.rig;
     if (rig?.moving) rig.setView(rig.view(), false);
     this.#to(this.state.down?.(pen, this));
+  }
+
+  /** Without touching; null: it left. */
+  hover(pen: Pen | null): void {
+    this.#hovering = pen;
+    this.#to(this.state.hover?.(pen, this));
+  }
+
+  /** What hovers is over another document, or another view of it. */
+  hoverAgain(): void {
+    if (this.#hovering && this.state.hover) this.#to(this.state.hover(this.#hovering, this));
   }
 
   move(pens: readonly Pen[]): void {
@@ -555,6 +570,7 @@ export class Session implements Bench, Viewport {
     const shows = ({ wet, still }: State) => Boolean(wet ?? still);
     const closes = next.wet !== undefined && next.wet.closing !== (this.state.wet?.closing ?? false);
     const began = closes || shows(next) !== shows(this.state);
+    if ((next.faint ?? false) !== (this.state.faint ?? false)) this.scene?.setFaint(next.faint ?? false);
     this.state = next;
     this.#stir();
     // said once, not at every move
@@ -664,6 +680,7 @@ export class Session implements Bench, Viewport {
     this.frames.version++;
     scene.rig.setView(this.#lastView, false);
     scene.setLook(this.look);
+    scene.setFaint(this.state.faint ?? false);
     this.#contour();
     this.update();
   }

@@ -236,6 +236,13 @@ export const STYLE_NAMES = {
 } as const;
 export type ShownStyle = keyof typeof STYLE_NAMES;
 
+/** What the marks of tools say. */
+export const MARK_WORDS = {
+  label: { full: 'full', flat: 'flat', hollow: 'hollow', front: 'front', back: 'back' },
+  value: (value: number, unit: '%' | '°' | 'mm') =>
+    unit === '°' ? `${Math.round(value)}°` : `${Math.round(value)} ${unit}`,
+} as const;
+
 /** Hot keys, for tooltips and the sheet. The thesis' own where it has one. */
 export const KEYS: readonly { readonly keys: string; readonly does: string }[] = [
   { keys: 'D', does: 'Draw' },

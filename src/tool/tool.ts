@@ -7,6 +7,7 @@ import type { Document } from '../document/document.ts';
 import type { Placement } from '../math/placement.ts';
 import type { MedialGraph } from '../skeleton/medial/axis.ts';
 import type { Stroke } from '../stroke/stroke.ts';
+import type { Mark } from './marks.ts';
 import type { Hit, Viewport } from './viewport.ts';
 
 /** One report of the pointer. */
@@ -74,10 +75,16 @@ export interface State {
   readonly carried?: Carried;
   /** as it is under the pen, before it is anybody's */
   readonly skeleton?: MedialGraph;
+  /** What the blue pencil draws for it. */
+  readonly marks?: readonly Mark[];
+  /** The unfinished form steps back behind the marks. */
+  readonly faint?: true;
   /** A gesture is under way that a moving camera would tear. */
   readonly still?: true;
   /** The document as it would be if the pen were lifted now; null: as it is. */
   preview?(bench: Bench): Document | null;
+  /** The pen or the mouse is over the picture without touching it; null: it left. Asked again when the document or the view is another. */
+  hover?(pen: Pen | null, bench: Bench): State | undefined;
   down?(pen: Pen, bench: Bench): State | undefined;
   move?(pens: readonly Pen[], bench: Bench): State | undefined;
   up?(bench: Bench): State | undefined;
