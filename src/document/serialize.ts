@@ -9,6 +9,7 @@ import { applyChecked, checked } from './check.ts';
 import { apply, type Command } from './command/index.ts';
 import {
   type Document,
+  type Draft,
   EMPTY_DOCUMENT,
   formOfDraft,
   isBody,
@@ -145,12 +146,19 @@ const versionOf = (document: Document): Version =>
 /** The lowest that knows the fields there are. Earlier ones read closed strokes otherwise (earlier.ts). */
 function neededFor({ parts, draft }: Document): Version {
   if (!parts.filter(isSurface).every(isPlain)) return SECTIONS;
-  if (draft && (draft.recreates || !isPlain(formOfDraft(draft)))) return SECTIONS;
+  if (draft && (draft.recreates || isLatest(draft) || !isPlain(formOfDraft(draft)))) return SECTIONS;
   if (parts.some(isSolid) || draft?.form || draft?.joins || draft?.carves) return SOLIDS;
   const bodies = parts.filter(isBody);
   if (bodies.some(({ node }) => hasWidths(node))) return SOLIDS;
   return bodies.length > 0 ? 2 : 1;
 }
+
+/** The first version that has sections, bends and what goes with them. */
+const SECTIONS: Version = 5;
+
+/** Forms that came with them. */
+const isLatest = ({ form }: { readonly form?: Draft['form'] | null }): boolean =>
+  form === 'crossSection' || form === 'bspline';
 
 /** Terms with a width of the kernel of their own came with solids. */
 const hasWidths = (node: FieldNode): boolean =>
@@ -160,16 +168,12 @@ const hasWidths = (node: FieldNode): boolean =>
 const LATE: readonly Command['type'][] = [
   'scaleParts',
   'mirrorParts',
-  'paste',
   'setForm',
   'setGroups',
   'setComponents',
   'moveGroups',
   'editSkeleton',
 ];
-
-/** The first version that has sections, bends and what goes with them. */
-const SECTIONS: Version = 5;
 
 const LATEST: readonly Command['type'][] = [
   'addSection',
@@ -191,6 +195,9 @@ function versionOfCommand(command: Command): Version {
 function neededBy(command: Command): Version {
   if (command.type === 'load') return neededFor(command.document);
   if (LATEST.includes(command.type)) return SECTIONS;
+  if (command.type === 'paste')
+    return Math.max(SOLIDS, neededFor({ ...EMPTY_DOCUMENT, parts: command.parts })) as Version;
+  if ((command.type === 'setForm' || command.type === 'addStroke') && isLatest(command)) return SECTIONS;
   if (LATE.includes(command.type) || 'mirror' in command) return SOLIDS;
   if (command.type === 'addStroke') return command.form || command.joins || command.carves ? SOLIDS : 1;
   if (command.type !== 'addBody' && command.type !== 'setBody') return 1;
