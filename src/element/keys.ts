@@ -73,6 +73,9 @@ function drawing(key: string, shift: boolean, session: Session, actions: KeyActi
       return done(actions.close());
     case 'b':
       return startBend(session);
+    case 'l':
+      session.setTool('section');
+      return done(actions.close());
     case 'v':
       return done(session.setTool('select'));
     case 'm':

@@ -18,7 +18,7 @@ import type { Plane, Stroke, View } from '../stroke/stroke.ts';
 import type { Mark } from './marks.ts';
 import { sideView, viewOnto } from './sideView.ts';
 import type { Bench, Pen, State } from './tool.ts';
-import { strokeOn, type Trace, traced, traceFrom } from './trace.ts';
+import { strokeOf, type Trace, traced, traceFrom } from './trace.ts';
 import type { Viewport } from './viewport.ts';
 
 /** What is being bent. */
@@ -145,7 +145,7 @@ function commandOf({ id, index, keepsLength }: Bending, trace: Trace, bench: Ben
   const line = part ? axisOf(part) : [];
   if (!part || line.length === 0) return null;
   const plane = facingPlane(trace.view, middleOf(line));
-  const drawn = strokeOn(plane, trace, bench.viewport.size);
+  const drawn = strokeOf(plane, trace, bench.viewport.size);
   if (!drawn) return null;
   const stroke = placedStroke(drawn, unplaced(part.placement));
   return part.bends[index]

@@ -27,7 +27,16 @@ export interface Pen {
 }
 
 /** What a tool has to tell; the words are the interface's. */
-export type Notice = 'too-short' | 'edge-on' | 'selected' | 'bend' | 'bend-what' | 'end-on';
+export type Notice =
+  | 'too-short'
+  | 'edge-on'
+  | 'selected'
+  | 'no-sides'
+  | 'off-sides'
+  | 'bent'
+  | 'bend'
+  | 'bend-what'
+  | 'end-on';
 
 /** What a tool sees and may ask for. */
 export interface Bench {
@@ -78,6 +87,8 @@ export interface State {
   readonly carried?: Carried;
   /** as it is under the pen, before it is anybody's */
   readonly skeleton?: MedialGraph;
+  /** of the section that is about to be drawn */
+  readonly guide?: { readonly u: number; readonly side: 'front' | 'back' };
   /** What the blue pencil draws for it. */
   readonly marks?: readonly Mark[];
   /** Those that follow the document. */

@@ -1,10 +1,10 @@
 /** The pen's path while it is down, and the stroke it is on a plane. */
 import { LIMITS } from '../document/limits.ts';
 import { length2 } from '../math/tuple.ts';
-import type { ScreenSize } from '../stroke/plane.ts';
-import { onPlane, rayAt } from '../stroke/plane.ts';
-import { isInReach, type Plane, type Sample, type Stroke, type View } from '../stroke/stroke.ts';
+import type { Plane, Stroke, View } from '../stroke/stroke.ts';
+import { strokeOn } from './penStroke.ts';
 import type { Pen } from './tool.ts';
+import type { Viewport } from './viewport.ts';
 
 /** px: a shorter gesture is a dot */
 export const LEAST_LENGTH = 12;
@@ -32,20 +32,10 @@ export function traced(trace: Trace, more: readonly Pen[]): Trace {
   return { ...trace, length };
 }
 
-/** null where it is too short, or the plane is not under it. */
-export function strokeOn(
+/** Null where it is too short, or the plane is not under it. */
+export const strokeOf = (
   plane: Plane,
   { pens, view, length }: Trace,
-  size: ScreenSize,
+  size: Viewport['size'],
   closed = false,
-): Stroke | null {
-  if (length < LEAST_LENGTH || !isInReach(plane.origin)) return null;
-  const start = pens[0]?.time ?? 0;
-  const samples = pens.flatMap((pen): Sample[] => {
-    const p = onPlane(rayAt(view, size, pen.x, pen.y), plane);
-    if (!p || !isInReach(p)) return [];
-    const { pressure, tiltX, tiltY } = pen;
-    return [{ x: p[0], y: p[1], pressure, tiltX, tiltY, time: pen.time - start }];
-  });
-  return samples.length < 2 ? null : { samples, plane, view, pointer: pens[0]?.pointer ?? 'mouse', closed };
-}
+): Stroke | null => (length < LEAST_LENGTH ? null : strokeOn(plane, pens, view, size, closed));
