@@ -1,6 +1,6 @@
 /** The parts of a drawing as meshes with their measures, one after the other. */
 import { CELLS } from '../document/bodies.ts';
-import { hasSurface, type Resolution, type Solid, solidOf } from '../document/build.ts';
+import { hasSurface, RESOLUTION, type Resolution, type Solid, solidOf } from '../document/build.ts';
 import { cellsOfBodies } from '../document/cells.ts';
 import { type Document, isImplicit, type Part } from '../document/document.ts';
 import { boxOfMesh } from '../document/extent.ts';
@@ -17,7 +17,8 @@ import { lostParts, type MadePart, thinBody, thinParts } from './thin.ts';
 export interface Building {
   /** of the input */
   readonly name: string;
-  readonly quads: Resolution;
+  /** null: as surfaces say themselves */
+  readonly quads: Resolution | null;
   /** along the document; null: nobody asked for any */
   readonly cells: number | null;
   readonly make: BodyMaker;
@@ -93,7 +94,7 @@ async function built(part: Part, { name, quads }: Building, bodies: Bodies): Pro
   try {
     const body = isImplicit(part) ? await bodies.of(nodeOf(part), part.name) : null;
     const solid = solidOf(part, quads);
-    if (solid && hasSurface(solid)) checkPlaced(solid, body?.cells ?? quads.u);
+    if (solid && hasSurface(solid)) checkPlaced(solid, body?.cells ?? (quads ?? RESOLUTION).u);
     return { solid, body };
   } catch (error) {
     if (error instanceof Problem) throw error;

@@ -1,8 +1,16 @@
 /** What of a drawing is left out, and what is in it. */
 
 import { type BodyCounts, countsOfPart, sumOf } from '../document/bodyCounts.ts';
-import { type Document, isImplicit, isSurface, type Part, strokesOf } from '../document/document.ts';
+import {
+  type Document,
+  formOfDraft,
+  isImplicit,
+  isSurface,
+  type Part,
+  strokesOf,
+} from '../document/document.ts';
 import { nodeOf } from '../document/solidNode.ts';
+import { strokesOfForm } from '../document/surfacePart.ts';
 import { bindField } from '../field/bind.ts';
 import { PAGE } from '../field/polygonize.ts';
 
@@ -16,7 +24,7 @@ export interface Counts extends BodyCounts {
 
 export function countsOf({ parts, draft }: Document): Counts {
   const inParts = parts.reduce((sum, part) => sum + strokesOf(part).length, 0);
-  const strokes = inParts + (draft?.strokes.length ?? 0);
+  const strokes = inParts + (draft ? strokesOfForm(formOfDraft(draft)).length : 0);
   const bodies = parts.filter(isImplicit).map(countsOfPart);
   return { parts: parts.length, strokes, ...sumOf(bodies) };
 }

@@ -19,8 +19,8 @@ export interface Size {
 }
 
 /** `64` or `64x32`. The default is the application's own, by reference: meshes are cached by it. */
-export function surfaceResolution(text: string | undefined): Resolution {
-  if (text === undefined) return RESOLUTION;
+export function surfaceResolution(text: string | undefined): Resolution | null {
+  if (text === undefined) return null;
   const [u, v] = pair('--surface-resolution', text, text.includes('x') ? 2 : 1, SURFACE, '64 or 64x64');
   return u === RESOLUTION.u && v === RESOLUTION.v ? RESOLUTION : { u, v };
 }

@@ -14,13 +14,15 @@ import {
   type Brush,
   colourOf,
   type Document,
+  type Draft,
+  formOfDraft,
   isSurface,
   type Part,
   readingOf,
-  type SurfacePart,
 } from './document.ts';
 import { draftPart, hasDraftGroup, joinedOf } from './draftPart.ts';
 import { nodeOf } from './solidNode.ts';
+import { DEFAULT_DETAIL, type Detail, PLAIN, type SurfaceForm } from './surfacePart.ts';
 
 /** Quads along and around a parametric surface. */
 export interface Resolution {
@@ -28,7 +30,14 @@ export interface Resolution {
   readonly v: number;
 }
 
+/** Quads that surfaces have when nobody set any. */
 export const RESOLUTION: Resolution = { u: 64, v: 64 };
+
+/** As finely as a surface says itself; patches divide their spans by themselves. */
+export const quadsOf = ({ rows, columns, u, v }: Detail): Resolution => ({
+  u: (rows ?? DEFAULT_DETAIL.columns) << u,
+  v: columns << v,
+});
 
 /** A mesh with what it is shown by. */
 export interface Solid {
@@ -40,23 +49,24 @@ export interface Solid {
   readonly mesh: Mesh;
 }
 
-/** One surface from the strokes of one form; null when they are too short. */
+/** One surface from the strokes of one form; null when they are too short. Without a resolution as finely as the form says. */
 export function buildForm(
   kind: SurfaceKind,
-  strokes: readonly Stroke[],
+  form: SurfaceForm,
   brush: Brush,
-  resolution: Resolution = RESOLUTION,
+  resolution: Resolution | null = null,
 ): Mesh | null {
-  const plane = strokes[0]?.plane;
-  const found = strokes.map((stroke) => curveOfStroke(stroke, brush));
+  const plane = form.strokes[0]?.plane;
+  const found = form.strokes.map((stroke) => curveOfStroke(stroke, brush));
   if (!plane || found.some((curve) => curve === null)) return null;
   const { radius, pressure, caps } = brush;
-  return buildSurface(kind, found as Curve[], plane, { radius, pressure, caps, ...resolution });
+  const quads = resolution ?? quadsOf(form.detail);
+  return buildSurface(kind, found as Curve[], plane, { radius, pressure, caps, ...quads });
 }
 
-interface Shape {
+interface Shape extends Pick<SurfaceForm, 'sections' | 'bends'> {
   readonly kind: SurfaceKind;
-  /** without the colour, which no mesh depends on */
+  /** of what is no list; without the colour, which no mesh depends on */
   readonly key: string;
   readonly mesh: Mesh | null;
 }
@@ -65,17 +75,27 @@ interface Shape {
 const shapes = new WeakMap<readonly Stroke[], Shape[]>();
 
 /** A kept part where it was drawn; null when its strokes are too short, or the body is not made yet. */
-export function shapeOf(part: Part, resolution: Resolution = RESOLUTION): Mesh | null {
-  return isSurface(part) ? surfaceOf(part, resolution) : (bodyMade(nodeOf(part))?.mesh ?? null);
+export function shapeOf(part: Part, resolution: Resolution | null = null): Mesh | null {
+  return isSurface(part)
+    ? surfaceOf(part.kind, part, part.brush, resolution)
+    : (bodyMade(nodeOf(part))?.mesh ?? null);
 }
 
-function surfaceOf({ kind, strokes, brush }: SurfacePart, resolution: Resolution): Mesh | null {
-  const key = JSON.stringify([{ ...brush, colour: '' }, resolution]);
+function surfaceOf(
+  kind: SurfaceKind,
+  form: SurfaceForm,
+  brush: Brush,
+  resolution: Resolution | null = null,
+): Mesh | null {
+  const { strokes, sections, bends, back, between, detail } = form;
+  const key = JSON.stringify([{ ...brush, colour: '' }, back, between, detail, resolution]);
   const known = shapes.get(strokes) ?? [];
-  const found = known.find((shape) => shape.kind === kind && shape.key === key);
+  const isIt = (shape: Shape) =>
+    shape.kind === kind && shape.key === key && shape.sections === sections && shape.bends === bends;
+  const found = known.find(isIt);
   if (found) return found.mesh;
-  const mesh = buildForm(kind, strokes, brush, resolution);
-  shapes.set(strokes, [{ kind, key, mesh }, ...known].slice(0, KEPT_SHAPES));
+  const mesh = buildForm(kind, form, brush, resolution);
+  shapes.set(strokes, [{ kind, key, sections, bends, mesh }, ...known].slice(0, KEPT_SHAPES));
   return mesh;
 }
 
@@ -86,7 +106,7 @@ const KEPT_SHAPES = 4;
 const parts = new WeakMap<Part, { readonly source: object | null; readonly solid: Solid | null }>();
 
 /** A kept part as a mesh, where it was moved to; null when there is none (see `shapeOf`). */
-export function solidOf(part: Part, resolution: Resolution = RESOLUTION): Solid | null {
+export function solidOf(part: Part, resolution: Resolution | null = null): Solid | null {
   const source = isSurface(part) ? resolution : bodyMade(nodeOf(part));
   const known = parts.get(part);
   if (known && known.source === source) return known.solid;
@@ -108,10 +128,10 @@ function painted(part: Part, shape: Mesh): Pick<Solid, 'colour' | 'mesh'> {
   return { colour: colour ?? CLAY, mesh: placed(mesh, part.placement) };
 }
 
-/** The kept parts that are not hidden, as meshes, but for one that the unfinished form becomes a part of. */
-export function solids(document: Document, resolution: Resolution = RESOLUTION): Solid[] {
-  const joined = joinedOf(document)?.id;
-  const shown = document.parts.filter(({ hidden, id }) => !hidden && id !== joined);
+/** The kept parts that are not hidden, as meshes, but for one that the unfinished form becomes a part of, or was. */
+export function solids(document: Document, resolution: Resolution | null = null): Solid[] {
+  const inHand = joinedOf(document)?.id ?? document.draft?.recreates?.part;
+  const shown = document.parts.filter(({ hidden, id }) => !hidden && id !== inHand);
   return shown.map((part) => solidOf(part, resolution)).filter((solid) => solid !== null);
 }
 
@@ -129,28 +149,39 @@ export function draftIsWhole(document: Document): boolean {
   }
 }
 
-const drafts = new WeakMap<readonly Stroke[], { brush: Brush; kind: SurfaceKind; solids: Solid[] }>();
+const drafts = new WeakMap<Draft, { brush: Brush; kind: SurfaceKind; solids: Solid[] }>();
 
 /** The unfinished form as meshes: one, or one a stroke while every stroke stays a tube; of a solid all of it, when it is made. */
 export function draftSolids(document: Document): Solid[] {
   const kind = readingOf(document);
-  const strokes = document.draft?.strokes;
-  if (kind === null || !strokes) return [];
+  const { draft, brush } = document;
+  if (kind === null || !draft) return [];
   if (kind === 'solid') {
     const part = draftPart(document);
     const solid = part && solidOf(part);
     return solid ? [solid] : [];
   }
-  const known = drafts.get(strokes);
-  if (known && known.kind === kind && known.brush === document.brush) return known.solids;
-  const forms = kind === 'tube' ? strokes.map((stroke) => [stroke]) : [strokes];
+  const known = drafts.get(draft);
+  if (known && known.kind === kind && known.brush === brush) return known.solids;
+  const whole = formOfDraft(draft);
+  const forms = kind === 'tube' ? tubesOf(draft) : [whole];
   const found = forms.flatMap((form, i) => {
-    const mesh = buildForm(kind, form, document.brush);
-    return mesh ? [{ id: `draft-${i}`, name: '', kind, colour: document.brush.colour, mesh }] : [];
+    const mesh = surfaceOf(kind, form, brush);
+    return mesh ? [{ id: `draft-${i}`, name: '', kind, colour: brush.colour, mesh }] : [];
   });
-  drafts.set(strokes, { brush: document.brush, kind, solids: found });
+  drafts.set(draft, { brush, kind, solids: found });
   return found;
 }
+
+// Lists of one stroke, so that meshes are found again by them.
+const alone = new WeakMap<Stroke, readonly Stroke[]>();
+
+const tubesOf = ({ strokes }: Draft): SurfaceForm[] =>
+  strokes.map((stroke) => {
+    const list = alone.get(stroke) ?? [stroke];
+    alone.set(stroke, list);
+    return { ...PLAIN, strokes: list };
+  });
 
 /** Strokes may enclose nothing. */
 export const hasSurface = (solid: Solid | null): solid is Solid =>

@@ -1,10 +1,12 @@
 /** What a command in a script may look like: one line a command, and the compiler holds the list to the commands. */
 import * as v from 'valibot';
 import type { Command } from './command/index.ts';
-import { fields, flag, list, number, text } from './fields.ts';
+import { fields, flag, list, number, oneOf, text, whole } from './fields.ts';
 import { LIMITS, RANGES } from './limits.ts';
 import { node } from './nodeSchema.ts';
 import {
+  bend,
+  bendChange,
   brushChange,
   colour,
   componentChange,
@@ -16,12 +18,18 @@ import {
   name,
   placement,
   point,
+  sectionStroke,
   skeleton,
   stroke,
+  surfaceChange,
+  u,
   unitVector,
   wholePart,
 } from './schema.ts';
 
+/** Without it the unfinished form is meant. */
+const whose = { part: v.exactOptional(name) };
+const index = whole({ min: 0, max: LIMITS.strokes });
 const ids = list(name, LIMITS.strokes, 'ids');
 
 const mirrorFields = { about: point, normal: unitVector };
@@ -63,6 +71,14 @@ const kinds = [
   kind('setComponents', { ids, change: componentChange }),
   kind('moveGroups', { ids, to: v.nullable(joins) }),
   kind('editSkeleton', { id: name, skeleton: v.nullable(skeleton) }),
+  kind('addSection', { ...whose, u, drawn: sectionStroke, side: v.exactOptional(oneOf(['front', 'back'])) }),
+  kind('removeSection', { ...whose, index, only: v.exactOptional(oneOf(['back', 'redraw'])) }),
+  kind('redrawSection', { ...whose, u, drawn: sectionStroke }),
+  kind('setStroke', { ...whose, index, stroke: v.nullable(stroke) }),
+  kind('setSurface', { ids: v.exactOptional(ids), change: surfaceChange }),
+  kind('bend', { id: name, bend }),
+  kind('setBend', { id: name, index, change: v.nullable(bendChange) }),
+  kind('recreate', { id: name }),
   kind('load', { document, name: v.optional(text(0, LIMITS.drawingName), '') }),
 ] as const;
 

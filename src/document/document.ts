@@ -8,6 +8,7 @@ import type { FilterOptions } from '../stroke/filter.ts';
 import type { Stroke } from '../stroke/stroke.ts';
 import type { SurfaceKind } from '../surface/index.ts';
 import { type Component, type Form, groupsOf, isForm } from './solid.ts';
+import { kindOfStrokes, PLAIN, type SurfaceForm, strokesOfForm } from './surfacePart.ts';
 
 /** What the next form is made with; a kept part has its own copy. */
 export interface Brush {
@@ -34,9 +35,8 @@ interface Kept {
 }
 
 /** A surface made from the strokes of one form. */
-export interface SurfacePart extends Kept {
+export interface SurfacePart extends Kept, SurfaceForm {
   readonly kind: SurfaceKind;
-  readonly strokes: readonly Stroke[];
   readonly brush: Brush;
 }
 
@@ -77,11 +77,11 @@ export function colourOf(part: Part): string | null {
 /** What a part is made of. */
 export function strokesOf(part: Part): readonly Stroke[] {
   if (isSolid(part)) return groupsOf(part).flatMap(({ strokes }) => strokes);
-  return isBody(part) ? [] : part.strokes;
+  return isBody(part) ? [] : strokesOfForm(part);
 }
 
 /** The unfinished form: strokes not yet kept. It takes the document's brush until then. */
-export interface Draft {
+export interface Draft extends Partial<Omit<SurfaceForm, 'strokes' | 'bends'>> {
   readonly strokes: readonly Stroke[];
   /** what a person chose to make of them; without it their number decides, and whether they are closed */
   readonly form?: Form | SurfaceKind;
@@ -89,8 +89,18 @@ export interface Draft {
   readonly carves?: true;
   /** of a solid: which one it becomes a part of */
   readonly joins?: Joins;
+  /** the strokes of a kept part, to be drawn further; its bends wait until it is kept again */
+  readonly recreates?: Recreated;
   /** Only shown, while the pen moves: roughly, and at once. No file has it. */
   readonly isRough?: true;
+}
+
+/** A part whose strokes are in hand again. */
+export interface Recreated {
+  /** its id */
+  readonly part: string;
+  /** what the next form was to be made with */
+  readonly brush: Brush;
 }
 
 /** Where a group goes: into a component, where it blends, or beside the others of a solid. */
@@ -138,10 +148,28 @@ export type Reading = SurfaceKind | 'solid';
 
 /** What a person chose; else a closed stroke is a silhouette, and of open ones the number decides. */
 export function readingOf({ draft, tubesOnly }: Document): Reading | null {
-  const { strokes = [], form } = draft ?? {};
+  const { strokes = [], sections = [], form } = draft ?? {};
   if (strokes.length === 0) return null;
   if (form !== undefined && isForm(form)) return 'solid';
   if (tubesOnly || form === 'tube') return 'tube';
-  if (strokes[0]!.closed && form === undefined) return 'solid';
-  return strokes.length > 1 ? 'rotational' : 'tube';
+  const isUnsaid = form === undefined && sections.length === 0;
+  if (strokes[0]!.closed && isUnsaid && !draft?.recreates) return 'solid';
+  return steppedBack(kindOfStrokes({ strokes, sections }), form);
 }
+
+/** A person may have gone back to what fewer strokes make; no stroke is lost. */
+function steppedBack(kind: SurfaceKind, form: SurfaceKind | undefined): SurfaceKind {
+  const steps: readonly SurfaceKind[] = ['tube', 'rotational', 'crossSection', 'bspline'];
+  const wanted = form && steps.indexOf(form) < steps.indexOf(kind) ? form : kind;
+  return wanted;
+}
+
+/** The unfinished form as surfaces are made of it. */
+export const formOfDraft = ({ strokes, sections, back, between, detail }: Draft): SurfaceForm => ({
+  strokes,
+  sections: sections ?? PLAIN.sections,
+  back: back ?? PLAIN.back,
+  between: between ?? PLAIN.between,
+  bends: PLAIN.bends,
+  detail: detail ?? PLAIN.detail,
+});

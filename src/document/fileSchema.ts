@@ -5,8 +5,8 @@ import { fields, list, text } from './fields.ts';
 import { LIMITS } from './limits.ts';
 import { document, look, view } from './schema.ts';
 
-/** The versions this program reads: the second has bodies, the third exact surfaces in the look, the fourth solids of strokes. It writes the lowest that holds what there is. */
-export const VERSIONS = [1, 2, 3, 4] as const;
+/** The versions this program reads: the second has bodies, the third exact surfaces in the look, the fourth solids of strokes, the fifth sections and bends of surfaces. It writes the lowest that holds what there is. */
+export const VERSIONS = [1, 2, 3, 4, 5] as const;
 export type Version = (typeof VERSIONS)[number];
 
 export const DOCUMENT_FORMAT = 'rotund';
@@ -34,7 +34,7 @@ export const scriptFile = fields({ format: format(SCRIPT_FORMAT), version, ...fr
 /** A drawing in hand: as in a file, and what says that it is a file may be missing. */
 export const drawing = fields({
   format: v.optional(format(DOCUMENT_FORMAT), DOCUMENT_FORMAT),
-  version: v.optional(version, 4),
+  version: v.optional(version, 5),
   ...frame,
   name: v.optional(text(0, LIMITS.drawingName), ''),
   document,

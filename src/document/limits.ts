@@ -36,6 +36,14 @@ export const RANGES = {
   /** T */
   fieldThreshold: { min: 1e-6, max: 1e6 },
   levels: { min: 0, max: 6 },
+  /** along construction curves */
+  u: { min: 0, max: 1 },
+  /** mm: half a chord */
+  half: { min: 1e-6, max: FARTHEST },
+  /** spans of a control mesh, and how often they are halved */
+  rows: { min: 1, max: 256 },
+  columns: { min: 3, max: 256 },
+  subdivisions: { min: 0, max: 5 },
   pressure: { min: 0, max: 1 },
   /** degrees */
   tilt: around(90),
@@ -65,6 +73,10 @@ export const LIMITS = {
   skels: 100_000,
   /** circles of a skeleton that was edited */
   nodes: 2_000,
+  /** of a surface, and strokes drawn over one of them */
+  sections: 64,
+  redraws: 64,
+  bends: 16,
   /** factors of a profile */
   profile: 64,
   /** in a stroke: 7 minutes of a pen that reports 240 times a second */

@@ -25,6 +25,7 @@ import {
 } from './rules.ts';
 import { samples } from './samples.ts';
 import { DEFAULT_COMPONENT, DEFAULT_SHAPE, FORMS, SECTIONS } from './solid.ts';
+import { BACKS, BETWEENS, DEFAULT_DETAIL, PLAIN } from './surfacePart.ts';
 
 // ── geometry ──────────────────────────────────────────────────────────────────────────────────────────────
 
@@ -126,8 +127,81 @@ const strokes = list(stroke, LIMITS.strokes, 'strokes');
 const named = { id: v.optional(name), name: v.optional(name) };
 const shown = { placement: v.optional(placement, {}), hidden: v.optional(flag, false) };
 
+export const u = v.pipe(number(RANGES.u), v.description('along the construction curves'));
+
+export const sectionStroke = fields({
+  stroke,
+  half: v.optional(v.nullable(v.pipe(number(RANGES.half), v.description('mm'))), null),
+});
+
+export const section = fields({
+  u,
+  front: v.optional(v.nullable(sectionStroke), null),
+  back: v.optional(v.nullable(sectionStroke), null),
+  redraws: v.optional(list(sectionStroke, LIMITS.redraws, 'redrawn strokes'), []),
+});
+
+const bendFields = { stroke, keepsLength: flag, isOff: flag };
+
+export const bend = fields({
+  stroke,
+  keepsLength: v.optional(flag, true),
+  isOff: v.optional(flag, false),
+});
+
+/** Some of a bend. */
+export const bendChange = fields({
+  stroke: v.exactOptional(bendFields.stroke),
+  keepsLength: v.exactOptional(bendFields.keepsLength),
+  isOff: v.exactOptional(bendFields.isOff),
+});
+
+const detailFields = {
+  rows: v.nullable(whole(RANGES.rows)),
+  columns: whole(RANGES.columns),
+  u: whole(RANGES.subdivisions),
+  v: whole(RANGES.subdivisions),
+};
+
+export const detail = fields({
+  rows: v.optional(detailFields.rows, DEFAULT_DETAIL.rows),
+  columns: v.optional(detailFields.columns, DEFAULT_DETAIL.columns),
+  u: v.optional(detailFields.u, DEFAULT_DETAIL.u),
+  v: v.optional(detailFields.v, DEFAULT_DETAIL.v),
+});
+
+const back = oneOf(BACKS);
+const blending = oneOf(BETWEENS);
+
+/** Some of what can be set of a surface beside its strokes. */
+export const surfaceChange = fields({
+  back: v.exactOptional(back),
+  between: v.exactOptional(blending),
+  detail: v.exactOptional(
+    fields({
+      rows: v.exactOptional(detailFields.rows),
+      columns: v.exactOptional(detailFields.columns),
+      u: v.exactOptional(detailFields.u),
+      v: v.exactOptional(detailFields.v),
+    }),
+  ),
+});
+
+const sections = list(section, LIMITS.sections, 'sections');
+
 export const surfacePart = v.pipe(
-  fields({ ...named, kind: oneOf(kinds), strokes, brush: v.optional(brush, {}), ...shown }),
+  fields({
+    ...named,
+    kind: oneOf(kinds),
+    strokes,
+    sections: v.optional(sections, []),
+    back: v.optional(back, PLAIN.back),
+    between: v.optional(blending, PLAIN.between),
+    bends: v.optional(list(bend, LIMITS.bends, 'bends'), []),
+    detail: v.optional(detail, {}),
+    brush: v.optional(brush, {}),
+    ...shown,
+  }),
   partRules(),
 );
 
@@ -244,7 +318,20 @@ export const intent = {
 };
 export const form = oneOf(draftForms);
 
-export const draft = v.pipe(fields({ strokes, ...intent }), draftRules());
+const recreated = fields({ part: name, brush: v.optional(brush, {}) });
+
+export const draft = v.pipe(
+  fields({
+    strokes,
+    ...intent,
+    sections: v.exactOptional(sections),
+    back: v.exactOptional(back),
+    between: v.exactOptional(blending),
+    detail: v.exactOptional(detail),
+    recreates: v.exactOptional(recreated),
+  }),
+  draftRules(),
+);
 
 /** A part in hand: nothing of it is left out, and it is complete in itself. */
 export const wholePart = v.pipe(

@@ -7,7 +7,15 @@ import type { FieldNode } from '../field/node.ts';
 import { partsOf } from '../field/numbered.ts';
 import { applyChecked, checked } from './check.ts';
 import { apply, type Command } from './command/index.ts';
-import { type Document, EMPTY_DOCUMENT, isBody, isSolid, readingOf } from './document.ts';
+import {
+  type Document,
+  EMPTY_DOCUMENT,
+  formOfDraft,
+  isBody,
+  isSolid,
+  isSurface,
+  readingOf,
+} from './document.ts';
 import type { Drawing } from './drawing.ts';
 import { FRONT_VIEW } from './drawing.ts';
 import { commandThen, documentThen, SOLIDS } from './earlier.ts';
@@ -25,6 +33,7 @@ import { readJson } from './json.ts';
 import { layout } from './layout.ts';
 import { LIMITS } from './limits.ts';
 import { DEFAULT_LOOK } from './look.ts';
+import { isPlain } from './surfacePart.ts';
 import { writtenCommand, writtenDocument, writtenLook, writtenView } from './written.ts';
 
 export { checkCommand, checkCommands, checkDocument, checkDrawing, checkStroke } from './check.ts';
@@ -54,7 +63,7 @@ function read(data: object, file: string): Drawing {
   const format = formatOf(data as { format?: unknown; version?: unknown }, file);
   if (format === SCRIPT_FORMAT) {
     const { name = ownName, view, look, version, commands } = checked(scriptFile, data, { file });
-    checkVersion(version, Math.max(1, ...new Set(commands.map(neededBy))), file);
+    checkVersion(version, Math.max(1, ...new Set(commands.map(neededBy))) as Version, file);
     const then = commands.map((command) => commandThen(command, version));
     return { name, view, look, document: carriedOut(then, file) };
   }
@@ -77,13 +86,16 @@ function formatOf({ format, version }: { format?: unknown; version?: unknown }, 
   return format;
 }
 
+/** What came with a version. */
+const NEWS: Partial<Record<Version, string>> = { 2: 'bodies', 4: 'solids', 5: 'sections or bends' };
+
 /** A program of that version would lose the bodies, so that nothing wrote such a file. */
-function checkVersion(version: Version, needed: number, file: string): void {
+function checkVersion(version: Version, needed: Version, file: string): void {
   if (version >= needed) return;
   throw new FileError(
     file,
     'version',
-    `expected ${needed}, because there are ${needed >= SOLIDS ? 'solids' : 'bodies'} in it, found ${version}`,
+    `expected ${needed}, because there are ${NEWS[needed]} in it, found ${version}`,
   );
 }
 
@@ -128,10 +140,12 @@ export function serializeScript(commands: readonly Command[], drawing: Drawing):
 
 /** The lowest that holds what there is. */
 const versionOf = (document: Document): Version =>
-  readingOf(document) === 'solid' ? SOLIDS : neededFor(document);
+  readingOf(document) === 'solid' ? (Math.max(SOLIDS, neededFor(document)) as Version) : neededFor(document);
 
 /** The lowest that knows the fields there are. Earlier ones read closed strokes otherwise (earlier.ts). */
 function neededFor({ parts, draft }: Document): Version {
+  if (!parts.filter(isSurface).every(isPlain)) return SECTIONS;
+  if (draft && (draft.recreates || !isPlain(formOfDraft(draft)))) return SECTIONS;
   if (parts.some(isSolid) || draft?.form || draft?.joins || draft?.carves) return SOLIDS;
   const bodies = parts.filter(isBody);
   if (bodies.some(({ node }) => hasWidths(node))) return SOLIDS;
@@ -154,6 +168,20 @@ const LATE: readonly Command['type'][] = [
   'editSkeleton',
 ];
 
+/** The first version that has sections, bends and what goes with them. */
+const SECTIONS: Version = 5;
+
+const LATEST: readonly Command['type'][] = [
+  'addSection',
+  'removeSection',
+  'redrawSection',
+  'setStroke',
+  'setSurface',
+  'bend',
+  'setBend',
+  'recreate',
+];
+
 function versionOfCommand(command: Command): Version {
   if (command.type === 'load') return versionOf(command.document);
   const isClosed = command.type === 'addStroke' && command.stroke.closed;
@@ -162,6 +190,7 @@ function versionOfCommand(command: Command): Version {
 
 function neededBy(command: Command): Version {
   if (command.type === 'load') return neededFor(command.document);
+  if (LATEST.includes(command.type)) return SECTIONS;
   if (LATE.includes(command.type) || 'mirror' in command) return SOLIDS;
   if (command.type === 'addStroke') return command.form || command.joins || command.carves ? SOLIDS : 1;
   if (command.type !== 'addBody' && command.type !== 'setBody') return 1;

@@ -1,8 +1,9 @@
 /** How much a document may hold: what the application lets one draw, it can save and read again. */
 import type { Command } from './command/index.ts';
-import { type Document, isBody, isSolid, strokesOf } from './document.ts';
+import { type Document, formOfDraft, isBody, isSolid, strokesOf } from './document.ts';
 import { LIMITS } from './limits.ts';
 import { groupsOf } from './solid.ts';
+import { strokesOfForm } from './surfacePart.ts';
 
 /** In words, for messages about files. */
 export const SIZE = `at most ${LIMITS.strokes} strokes and bodies and ${LIMITS.samplesInAll} samples and values of bodies and solids in all`;
@@ -16,6 +17,11 @@ export const GROWING: readonly Command['type'][] = [
   'setGroups',
   'editSkeleton',
   'duplicateParts',
+  'addSection',
+  'redrawSection',
+  'setStroke',
+  'bend',
+  'setBend',
   'load',
 ];
 
@@ -23,7 +29,7 @@ export const GROWING: readonly Command['type'][] = [
 export function isTooLarge({ parts, draft }: Document): boolean {
   let forms = 0;
   let samples = 0;
-  for (const strokes of [...parts.map(strokesOf), draft?.strokes ?? []]) {
+  for (const strokes of [...parts.map(strokesOf), draft ? strokesOfForm(formOfDraft(draft)) : []]) {
     forms += strokes.length;
     for (const stroke of strokes) samples += stroke.samples.length;
   }

@@ -5,6 +5,8 @@ import type { Form } from './solid.ts';
 export const WORD: Readonly<Record<Part['kind'] | Form | 'component', string>> = {
   tube: 'Tube',
   rotational: 'Rotational',
+  crossSection: 'Section',
+  bspline: 'Patch',
   body: 'Body',
   solid: 'Solid',
   component: 'Component',

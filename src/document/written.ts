@@ -16,6 +16,14 @@ import type { Look } from './look.ts';
 import { ordered } from './nodeSchema.ts';
 import { rowOf } from './samples.ts';
 import type { Component, Group } from './solid.ts';
+import {
+  type Bend,
+  isPlainDetail,
+  PLAIN,
+  type Section,
+  type SectionStroke,
+  type SurfaceForm,
+} from './surfacePart.ts';
 
 export const writtenView = ({ pivot, rotation, height, fov }: View): View => ({
   pivot,
@@ -94,7 +102,8 @@ function writtenBody({ id, name, kind, node, colour, placement, hidden }: BodyPa
   return { id, name, kind, hidden, colour, placement: { rotation, translation }, node: ordered(node) };
 }
 
-function writtenSurface({ id, name, kind, strokes, brush, placement, hidden }: SurfacePart) {
+function writtenSurface(part: SurfacePart) {
+  const { id, name, kind, strokes, brush, placement, hidden, bends } = part;
   const { rotation, translation } = placement;
   return {
     id,
@@ -103,9 +112,44 @@ function writtenSurface({ id, name, kind, strokes, brush, placement, hidden }: S
     hidden,
     brush: writtenBrush(brush),
     placement: { rotation, translation },
+    ...furtherOf(part),
+    ...(bends.length > 0 && { bends: bends.map(writtenBend) }),
     strokes: strokes.map(writtenStroke),
   };
 }
+
+/** What surfaces of strokes alone have none of is left out, for older programs. */
+function furtherOf({
+  sections = [],
+  back = PLAIN.back,
+  between = PLAIN.between,
+  detail = PLAIN.detail,
+}: Partial<SurfaceForm>) {
+  const { rows, columns, u, v } = detail;
+  return {
+    ...(sections.length > 0 && { sections: sections.map(writtenSection) }),
+    ...(back !== PLAIN.back && { back }),
+    ...(between !== PLAIN.between && { between }),
+    ...(!isPlainDetail(detail) && { detail: { rows, columns, u, v } }),
+  };
+}
+
+function writtenSection({ u, front, back, redraws }: Section) {
+  return {
+    u,
+    front: front && writtenDrawn(front),
+    back: back && writtenDrawn(back),
+    redraws: redraws.map(writtenDrawn),
+  };
+}
+
+const writtenDrawn = ({ half, stroke }: SectionStroke) => ({ half, stroke: writtenStroke(stroke) });
+
+const writtenBend = ({ keepsLength, isOff, stroke }: Bend) => ({
+  keepsLength,
+  isOff,
+  stroke: writtenStroke(stroke),
+});
 
 export function writtenDocument({ parts, draft, brush, tubesOnly, nextId }: Document) {
   return {
@@ -113,8 +157,34 @@ export function writtenDocument({ parts, draft, brush, tubesOnly, nextId }: Docu
     tubesOnly,
     brush: writtenBrush(brush),
     parts: parts.map(writtenPart),
-    draft: draft && { ...intentOf(draft), strokes: draft.strokes.map(writtenStroke) },
+    draft: draft && writtenDraft(draft),
   };
+}
+
+function writtenDraft(draft: Draft) {
+  const { strokes, recreates } = draft;
+  return {
+    ...intentOf(draft),
+    ...(recreates && { recreates: { part: recreates.part, brush: writtenBrush(recreates.brush) } }),
+    ...furtherOf(draft),
+    strokes: strokes.map(writtenStroke),
+  };
+}
+
+/** Commands of surfaces that carry strokes. */
+const WITH_STROKES: readonly Command['type'][] = [
+  'addSection',
+  'redrawSection',
+  'setStroke',
+  'bend',
+  'setBend',
+];
+
+/** Strokes anywhere in a command, as files have them. */
+function withWrittenStrokes(value: unknown): unknown {
+  if (typeof value !== 'object' || value === null || Array.isArray(value)) return value;
+  if ('samples' in value) return writtenStroke(value as Stroke);
+  return Object.fromEntries(Object.entries(value).map(([key, field]) => [key, withWrittenStrokes(field)]));
 }
 
 export function writtenCommand(command: Command): object {
@@ -123,6 +193,7 @@ export function writtenCommand(command: Command): object {
   if (command.type === 'paste') return { ...command, parts: command.parts.map(writtenPart) };
   if (command.type === 'addBody' || command.type === 'setBody')
     return { ...command, node: ordered(command.node) };
+  if (WITH_STROKES.includes(command.type)) return withWrittenStrokes(command) as object;
   if (command.type !== 'load') return command;
   const { type, name, document } = command;
   return { type, name, document: writtenDocument(document) };

@@ -1,7 +1,14 @@
 /** The rows of the list: parts, and of solids that are open what they are made of. A component has a row of its own where there are several. */
 import { countsOfPart } from '../document/bodyCounts.ts';
 import { groupsChosen } from '../document/chosen.ts';
-import { type Document, isImplicit, isSolid, type Part, type SolidPart } from '../document/document.ts';
+import {
+  type Document,
+  isImplicit,
+  isSolid,
+  type Part,
+  type SolidPart,
+  strokesOf,
+} from '../document/document.ts';
 import { type Component, type Group, groupsOf } from '../document/solid.ts';
 import { shapedOf } from '../document/solidNode.ts';
 import { kernelNamed } from '../kernel/index.ts';
@@ -99,7 +106,7 @@ const groupRows = (part: SolidPart, component: Component, level: number, parent:
 export function madeOf(part: Part): string {
   return isImplicit(part)
     ? PART_WORDS.skels(countsOfPart(part).skels)
-    : PART_WORDS.strokes(part.strokes.length);
+    : PART_WORDS.strokes(strokesOf(part).length);
 }
 
 /** "Soft · 12 skels", "Ring · 6 mm", "3 forms · 60 skels" */

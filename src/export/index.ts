@@ -42,7 +42,7 @@ export type Format = 'obj' | 'glb' | 'stl' | 'ply';
 export const exporters: Readonly<Record<Format, Exporter>> = { obj, glb, stl, ply };
 
 /** The kept, visible parts of a document; the unfinished form is left out. Bodies are as they were made last, or made now. */
-export function modelOf(document: Document, name: string, resolution?: Resolution): Model {
+export function modelOf(document: Document, name: string, resolution: Resolution | null = null): Model {
   for (const part of document.parts) {
     if (isImplicit(part) && !part.hidden && !bodyMade(nodeOf(part))) makeBody(nodeOf(part));
   }

@@ -8,7 +8,7 @@ import type { Plane } from '../stroke/stroke.ts';
 import { rotational } from './rotational.ts';
 import { tube } from './tube.ts';
 
-export type SurfaceKind = 'tube' | 'rotational';
+export type SurfaceKind = 'tube' | 'rotational' | 'crossSection' | 'bspline';
 
 export interface SurfaceOptions {
   /** of tubes, mm, above 0 */
@@ -43,6 +43,18 @@ export const surfaces: Readonly<Record<SurfaceKind, Surface>> = {
   rotational: {
     id: 'rotational',
     label: 'Rotational surface',
+    strokes: 2,
+    build: ([left, right], plane, options) => rotational(left!, right!, plane, options),
+  },
+  crossSection: {
+    id: 'crossSection',
+    label: 'Section surface',
+    strokes: 2,
+    build: ([left, right], plane, options) => rotational(left!, right!, plane, options),
+  },
+  bspline: {
+    id: 'bspline',
+    label: 'Patch',
     strokes: 2,
     build: ([left, right], plane, options) => rotational(left!, right!, plane, options),
   },

@@ -3,11 +3,18 @@ import { createHash } from 'node:crypto';
 import type { Resolution, Solid } from '../../src/document/build.ts';
 import { buildForm, solids } from '../../src/document/build.ts';
 import type { Command } from '../../src/document/command/index.ts';
-import { DEFAULT_BRUSH, type Document, type Part, readingOf } from '../../src/document/document.ts';
+import {
+  DEFAULT_BRUSH,
+  type Document,
+  formOfDraft,
+  type Part,
+  readingOf,
+} from '../../src/document/document.ts';
 import type { Drawing } from '../../src/document/drawing.ts';
 import { commit, type History, newHistory } from '../../src/document/history.ts';
 import { DEFAULT_LOOK } from '../../src/document/look.ts';
 import { DEFAULT_COMPONENT, DEFAULT_SHAPE } from '../../src/document/solid.ts';
+import { PLAIN } from '../../src/document/surfacePart.ts';
 import { UNMOVED } from '../../src/math/placement.ts';
 import type { Mesh } from '../../src/mesh/mesh.ts';
 import type { Plane } from '../../src/stroke/stroke.ts';
@@ -169,7 +176,8 @@ export function meshesOf(document: Document, resolution = COARSE): readonly Mesh
   const kind = readingOf(document);
   const strokes = document.draft?.strokes ?? [];
   if (kind === null || kind === 'solid') return kept;
-  const forms = kind === 'tube' ? strokes.map((stroke) => [stroke]) : [strokes];
+  const whole = formOfDraft(document.draft!);
+  const forms = kind === 'tube' ? strokes.map((stroke) => ({ ...PLAIN, strokes: [stroke] })) : [whole];
   const draft = forms.map((form) => buildForm(kind, form, document.brush, resolution));
   return [...kept, ...draft.filter((mesh) => mesh !== null)];
 }

@@ -1,9 +1,11 @@
 /** What a session does without a picture. */
+
 import { describe, expect, it } from 'vitest';
 import { DEFAULT_BRUSH, type Document, EMPTY_DOCUMENT } from '../../src/document/document.ts';
 import { EMPTY_DRAWING } from '../../src/document/drawing.ts';
 import { LIMITS } from '../../src/document/limits.ts';
 import { parse, serialize } from '../../src/document/serialize.ts';
+import { PLAIN } from '../../src/document/surfacePart.ts';
 import { Session } from '../../src/element/session.ts';
 import { TIMINGS } from '../../src/element/timing.ts';
 import { WORDS } from '../../src/element/words.ts';
@@ -22,6 +24,7 @@ function sessionWith(document: Document): Session {
 function tubes(count: number): Document {
   const part = {
     kind: 'tube',
+    ...PLAIN,
     strokes: [STROKE],
     brush: DEFAULT_BRUSH,
     placement: UNMOVED,

@@ -53,7 +53,7 @@ export function belongTogether(a: Stroke, b: Stroke): boolean {
   return a.closed === b.closed && samePlane(a.plane, b.plane);
 }
 
-function samePlane(a: Plane, b: Plane): boolean {
+export function samePlane(a: Plane, b: Plane): boolean {
   const same = (key: keyof Plane) => a[key].every((value, i) => value === b[key][i]);
   return a === b || (same('origin') && same('x') && same('y'));
 }

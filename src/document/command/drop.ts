@@ -1,8 +1,11 @@
 import type { CommandKind } from './index.ts';
 
-/** The whole unfinished form goes, in one undo step. */
+/** The whole unfinished form goes, in one undo step; a part whose strokes were in hand is as it was. */
 export const drop: CommandKind<'drop', object> = {
   type: 'drop',
-  apply: (document) => (document.draft ? { ...document, draft: null } : document),
+  apply(document) {
+    const { draft, brush } = document;
+    return draft ? { ...document, draft: null, brush: draft.recreates?.brush ?? brush } : document;
+  },
   describe: () => 'drop',
 };

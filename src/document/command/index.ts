@@ -4,7 +4,9 @@
  */
 import type { Document } from '../document.ts';
 import { addBody } from './addBody.ts';
+import { addSection } from './addSection.ts';
 import { addStroke } from './addStroke.ts';
+import { bend } from './bend.ts';
 import { drop } from './drop.ts';
 import { duplicateParts } from './duplicateParts.ts';
 import { editSkeleton } from './editSkeleton.ts';
@@ -14,17 +16,23 @@ import { mirrorParts } from './mirrorParts.ts';
 import { moveGroups } from './moveGroups.ts';
 import { moveParts } from './moveParts.ts';
 import { paste } from './paste.ts';
+import { recreate } from './recreate.ts';
+import { redrawSection } from './redrawSection.ts';
 import { removeAll } from './removeAll.ts';
 import { removeLast } from './removeLast.ts';
 import { removeParts } from './removeParts.ts';
+import { removeSection } from './removeSection.ts';
 import { renamePart } from './renamePart.ts';
 import { scaleParts } from './scaleParts.ts';
+import { setBend } from './setBend.ts';
 import { setBody } from './setBody.ts';
 import { setBrush } from './setBrush.ts';
 import { setComponents } from './setComponents.ts';
 import { setForm } from './setForm.ts';
 import { setGroups } from './setGroups.ts';
 import { setPartBrush } from './setPartBrush.ts';
+import { setStroke } from './setStroke.ts';
+import { setSurface } from './setSurface.ts';
 import { setTubesOnly } from './setTubesOnly.ts';
 import { showParts } from './showParts.ts';
 
@@ -61,6 +69,14 @@ const kinds = {
   setComponents,
   moveGroups,
   editSkeleton,
+  addSection,
+  removeSection,
+  redrawSection,
+  setStroke,
+  setSurface,
+  bend,
+  setBend,
+  recreate,
   load,
 } as const;
 

@@ -1,7 +1,16 @@
-import { UNMOVED } from '../../math/placement.ts';
-import { type Document, type Part, readingOf, type SolidPart } from '../document.ts';
+import { UNMOVED, unplaced } from '../../math/placement.ts';
+import {
+  type Document,
+  formOfDraft,
+  isSurface,
+  readingOf,
+  type SolidPart,
+  type SurfacePart,
+} from '../document.ts';
 import { draftPart, joinedOf } from '../draftPart.ts';
+import { placedStroke } from '../placedStroke.ts';
 import { withGroups } from '../solid.ts';
+import { PLAIN, withStrokes } from '../surfacePart.ts';
 import { WORD } from '../words.ts';
 import type { CommandKind } from './index.ts';
 
@@ -12,12 +21,13 @@ export const keep: CommandKind<'keep', object> = {
     if (readingOf(document) === 'solid') return keptSolid(document);
     const parts = keptParts(document);
     if (parts.length === 0) return document;
-    return {
-      ...document,
-      parts: [...document.parts, ...parts],
-      draft: null,
-      nextId: document.nextId + parts.length,
-    };
+    const added = { ...document, draft: null, nextId: document.nextId + parts.length };
+    const again = recreatedOf(document);
+    if (!again) return { ...added, parts: [...document.parts, ...parts] };
+    const [first, ...others] = parts;
+    const whole = givenBack(again, first!, document);
+    const all = document.parts.map((part) => (part === again ? whole : part));
+    return { ...added, parts: [...all, ...others], brush: document.draft!.recreates!.brush };
   },
   describe: (document) => `${WORD[readingOf(document) ?? 'tube'].toLowerCase()} kept`,
 };
@@ -41,18 +51,32 @@ function unrough(solid: SolidPart): SolidPart {
   });
 }
 
-function keptParts(document: Document): Part[] {
+/** The part whose strokes are in hand; null: none, or it is gone. */
+export const recreatedOf = ({ draft, parts }: Document): SurfacePart | null =>
+  parts.filter(isSurface).find(({ id }) => id === draft?.recreates?.part) ?? null;
+
+/** Name, place and bends are the part's, all else is what was drawn. */
+function givenBack(part: SurfacePart, drawn: SurfacePart, { brush }: Document): SurfacePart {
+  const { kind, strokes, sections, back, between, detail } = drawn;
+  const form = { strokes, sections, back, between, detail, bends: PLAIN.bends };
+  const local = withStrokes(form, (stroke) => placedStroke(stroke, unplaced(part.placement)));
+  return { ...part, ...local, kind, brush, bends: part.bends };
+}
+
+function keptParts(document: Document): SurfacePart[] {
   const kind = readingOf(document);
-  const strokes = document.draft?.strokes ?? [];
-  if (kind === null || kind === 'solid') return [];
-  const forms = kind === 'tube' ? strokes.map((stroke) => [stroke]) : [strokes];
-  return forms.map((form, i) => {
+  const { draft } = document;
+  if (!draft || kind === null || kind === 'solid') return [];
+  const whole = formOfDraft(draft);
+  const forms = kind === 'tube' ? draft.strokes.map((stroke) => [stroke]) : [draft.strokes];
+  return forms.map((strokes, i) => {
     const number = document.nextId + i;
     return {
       id: `part-${number}`,
       name: `${WORD[kind]} ${number}`,
       kind,
-      strokes: form,
+      ...(i === 0 ? whole : PLAIN),
+      strokes,
       brush: document.brush,
       placement: UNMOVED,
       hidden: false,

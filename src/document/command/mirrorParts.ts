@@ -7,6 +7,7 @@ import type { Stroke } from '../../stroke/stroke.ts';
 import { isBody, isSolid, type Part } from '../document.ts';
 import { areInReach, isGroupInReach } from '../inReach.ts';
 import { type Group, groupsOf, withGroups } from '../solid.ts';
+import { strokesOfForm, withStrokes } from '../surfacePart.ts';
 import { changeParts, nameOf } from './changeParts.ts';
 import type { CommandKind } from './index.ts';
 
@@ -48,8 +49,19 @@ function mirrored(part: Part, mirror: Mirror): Part {
     const groups = groupsOf(part).map((group) => mirroredGroup(group, mirror));
     return groups.every(isGroupInReach) ? withGroups(part, (group) => [mirroredGroup(group, mirror)]) : part;
   }
-  const strokes = part.strokes.map((stroke) => mirroredStroke(stroke, mirror));
-  return areInReach(strokes) ? { ...part, strokes } : part;
+  const isFlat = part.sections.length === 0 && part.bends.length === 0;
+  const next = withStrokes(part, (stroke) => (isFlat ? mirroredStroke : turnedOver)(stroke, mirror));
+  return areInReach(strokesOfForm(next)) ? next : part;
+}
+
+/** What is in front stays in front: instead of the plane's normal its x axis is turned over, and what was drawn with it. */
+function turnedOver(stroke: Stroke, mirror: Mirror): Stroke {
+  const { plane, samples, ...rest } = mirroredStroke(stroke, mirror);
+  return {
+    ...rest,
+    samples: samples.map((sample) => ({ ...sample, x: -sample.x })),
+    plane: { ...plane, x: scale3(plane.x, -1) },
+  };
 }
 
 /** Maps of maps are one. */

@@ -6,6 +6,7 @@ import { type Brush, isBody, isSolid, type Part } from '../document.ts';
 import { areInReach, isGroupInReach } from '../inReach.ts';
 import { RADII } from '../radii.ts';
 import { type Group, groupsOf, withGroups } from '../solid.ts';
+import { strokesOfForm, withStrokes } from '../surfacePart.ts';
 import { changeParts, nameOf } from './changeParts.ts';
 import type { CommandKind } from './index.ts';
 import { mapped } from './mirrorParts.ts';
@@ -50,9 +51,9 @@ function scaled(part: Part, factor: number, about: Vec3): Part {
     if (!isWhole) return part;
     return { ...withGroups(part, (group) => [scaledGroup(group, factor, [0, 0, 0])!]), placement };
   }
-  const strokes = part.strokes.map((stroke) => scaledStroke(stroke, factor, [0, 0, 0]));
+  const form = withStrokes(part, (stroke) => scaledStroke(stroke, factor, [0, 0, 0]), factor);
   const brush = scaledBrush(part.brush, factor);
-  return brush && areInReach(strokes) ? { ...part, placement, strokes, brush } : part;
+  return brush && areInReach(strokesOfForm(form)) ? { ...form, placement, brush } : part;
 }
 
 function scaledGroup(group: Group, factor: number, about: Vec3): Group | null {

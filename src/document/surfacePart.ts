@@ -1,0 +1,174 @@
+/**
+ * What parametric surfaces are made of beside their construction curves: sections across them, a back, bends, and how finely
+ * they are cut. Strokes as they were drawn are the truth; outlines, patches and meshes are derived (`build.ts`).
+ */
+import type { Stroke } from '../stroke/stroke.ts';
+import type { SurfaceKind } from '../surface/index.ts';
+
+/** A stroke that is a section, or a part of one. */
+export interface SectionStroke {
+  readonly stroke: Stroke;
+  /**
+   * Null: drawn across on the drawing plane; its ends belong on the construction curves, and it is turned by 90° about its chord.
+   * Else it lies on the section's own plane: x from the chord's middle towards q_r, y out of the drawing plane, mm, when half
+   * the chord was so long, mm.
+   */
+  readonly half: number | null;
+}
+
+/** A cross section where it was drawn. */
+export interface Section {
+  /** along the construction curves, 0–1 */
+  readonly u: number;
+  /** null: the half circle of rotational surfaces */
+  readonly front: SectionStroke | null;
+  /** null: the mirrored front */
+  readonly back: SectionStroke | null;
+  /** what was drawn over it, one after the other */
+  readonly redraws: readonly SectionStroke[];
+}
+
+/** Thesis A.2.2: surfaces have no back, a mirrored front, or (future work there) one of their own. */
+export const BACKS = ['none', 'front', 'drawn'] as const;
+export type Back = (typeof BACKS)[number];
+
+/** How sections go over into each other; `plain`: rows of points without a spline (fig. 5.13(b)). */
+export const BETWEENS = ['cubic', 'linear', 'plain'] as const;
+export type Between = (typeof BETWEENS)[number];
+
+/** Thesis 6.1: the centre line anew, as seen from the side. */
+export interface Bend {
+  /** d(u); its plane faces the view it was drawn in, in the part's own space */
+  readonly stroke: Stroke;
+  /** the length of the part stays; else it reaches as far as the stroke */
+  readonly keepsLength: boolean;
+  /** not in force */
+  readonly isOff: boolean;
+}
+
+/** Thesis A.4: spans of the control mesh, and how often each is halved. Surfaces without one have rows · 2^u quads. */
+export interface Detail {
+  /** along the construction curves; null: as many as they need */
+  readonly rows: number | null;
+  /** across, per section */
+  readonly columns: number;
+  /** subdivisions along and across */
+  readonly u: number;
+  readonly v: number;
+}
+
+export const DEFAULT_DETAIL: Detail = { rows: null, columns: 16, u: 2, v: 2 };
+
+/** As nobody set it. */
+export const isPlainDetail = ({ rows, columns, u, v }: Detail): boolean =>
+  rows === DEFAULT_DETAIL.rows &&
+  columns === DEFAULT_DETAIL.columns &&
+  u === DEFAULT_DETAIL.u &&
+  v === DEFAULT_DETAIL.v;
+
+/** What is derived from, whoever has it: a part, or the unfinished form. */
+export interface SurfaceForm {
+  /** one or two construction curves, all on one plane */
+  readonly strokes: readonly Stroke[];
+  /** u ascending */
+  readonly sections: readonly Section[];
+  readonly back: Back;
+  readonly between: Between;
+  /** one after the other */
+  readonly bends: readonly Bend[];
+  readonly detail: Detail;
+}
+
+/** Lists are shared, so that what has none of its own compares by reference. */
+export const PLAIN: Omit<SurfaceForm, 'strokes'> = {
+  sections: [],
+  back: 'none',
+  between: 'cubic',
+  bends: [],
+  detail: DEFAULT_DETAIL,
+};
+
+interface Counts {
+  readonly least: number;
+  readonly most: number;
+}
+
+/** What each kind is made of. Tubes and round forms may keep sections that a person stepped back from. */
+export const MADE_OF: Readonly<Record<SurfaceKind, { readonly strokes: Counts; readonly sections: number }>> =
+  {
+    tube: { strokes: { least: 1, most: 1 }, sections: 0 },
+    rotational: { strokes: { least: 2, most: 2 }, sections: 0 },
+    crossSection: { strokes: { least: 1, most: 2 }, sections: 1 },
+    bspline: { strokes: { least: 1, most: 2 }, sections: 2 },
+  };
+
+/** The number of strokes decides. */
+export function kindOfStrokes({ strokes, sections }: Pick<SurfaceForm, 'strokes' | 'sections'>): SurfaceKind {
+  if (sections.length > 1) return 'bspline';
+  if (sections.length > 0) return 'crossSection';
+  return strokes.length > 1 ? 'rotational' : 'tube';
+}
+
+/** All strokes of a form, in the order: curves, sections, bends. */
+export function strokesOfForm({
+  strokes,
+  sections,
+  bends,
+}: Pick<SurfaceForm, 'strokes' | 'sections' | 'bends'>): readonly Stroke[] {
+  if (sections.length === 0 && bends.length === 0) return strokes;
+  const ofSections = sections.flatMap(({ front, back, redraws }) =>
+    [front, back, ...redraws].flatMap((drawn) => (drawn ? [drawn.stroke] : [])),
+  );
+  return [...strokes, ...ofSections, ...bends.map(({ stroke }) => stroke)];
+}
+
+/** Made of strokes alone, with nothing set: all that there was before there were sections. */
+export const isPlain = ({ sections, back, between, bends, detail }: Omit<SurfaceForm, 'strokes'>): boolean =>
+  sections.length === 0 &&
+  bends.length === 0 &&
+  back === PLAIN.back &&
+  between === PLAIN.between &&
+  isPlainDetail(detail);
+
+/** Every stroke changed alike; `scale`: what half chords are multiplied by. */
+export function withStrokes<F extends Pick<SurfaceForm, 'strokes' | 'sections' | 'bends'>>(
+  form: F,
+  change: (stroke: Stroke) => Stroke,
+  scale = 1,
+): F {
+  const drawn = (section: SectionStroke): SectionStroke => ({
+    stroke: change(section.stroke),
+    half: section.half === null ? null : section.half * scale,
+  });
+  const sections = form.sections.map((section) => ({
+    ...section,
+    front: section.front && drawn(section.front),
+    back: section.back && drawn(section.back),
+    redraws: section.redraws.map(drawn),
+  }));
+  return {
+    ...form,
+    strokes: form.strokes.map(change),
+    // lists that are empty stay the same, for caches
+    sections: sections.length > 0 ? sections : form.sections,
+    bends:
+      form.bends.length > 0
+        ? form.bends.map((bend) => ({ ...bend, stroke: change(bend.stroke) }))
+        : form.bends,
+  };
+}
+
+/** Sections in order, with one more; one at the same place is replaced. */
+export function withSection(sections: readonly Section[], section: Section): readonly Section[] {
+  const others = sections.filter(({ u }) => Math.abs(u - section.u) >= SAME_PLACE);
+  return [...others, section].sort((a, b) => a.u - b.u);
+}
+
+/** u nearer than this are one place: two sections there would be a step */
+export const SAME_PLACE = 0.01;
+
+/** Index of the section nearest to u; −1 without any. */
+export function nearestSection(sections: readonly Section[], u: number): number {
+  const distances = sections.map((section) => Math.abs(section.u - u));
+  return distances.indexOf(Math.min(...distances));
+}
