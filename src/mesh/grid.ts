@@ -26,6 +26,8 @@ export interface Row {
   readonly pole?: boolean;
   /** quads lead here from the row before; false at a crease, without meaning in the first row */
   readonly joined: boolean;
+  /** its quads face the other way: where the form goes round in the other sense */
+  readonly flipped?: boolean;
 }
 
 /** How the entries of rows hang together. */

@@ -10,7 +10,10 @@ import type { Limit } from './net.ts';
 const NOTHING = 1e-7;
 
 /** Rows of x y z. `tips`: whether the first and the last row are one point each. */
-export function normalsOf(limit: Limit, tips: { readonly first: boolean; readonly last: boolean }): Float64Array[] {
+export function normalsOf(
+  limit: Limit,
+  tips: { readonly first: boolean; readonly last: boolean },
+): Float64Array[] {
   const { rows } = limit.points;
   const found = Array.from({ length: rows }, (_, i) => {
     const tip = (i === 0 && tips.first) || (i === rows - 1 && tips.last);
@@ -26,7 +29,8 @@ export function normalsOf(limit: Limit, tips: { readonly first: boolean; readonl
 /** Zero where there is none. */
 function rowNormals({ du, dv, duv }: Limit, row: number, tip: -1 | 0 | 1): Float64Array {
   const width = 3 * du.columns;
-  const cut = ({ points }: { points: Float64Array }): Float64Array => points.subarray(row * width, (row + 1) * width);
+  const cut = ({ points }: { points: Float64Array }): Float64Array =>
+    points.subarray(row * width, (row + 1) * width);
   const [along, across] = [cut(du), tip === 0 ? cut(dv) : cut(duv)];
   const least = NOTHING * longest(along) * longest(across);
   const out = new Float64Array(width);

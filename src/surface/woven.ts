@@ -3,12 +3,14 @@
  * and creases with the surface's own derivatives, which neighbours share where it is smooth), subdivided and pushed to their
  * limits; or, without a spline (thesis fig. 5.13(b)), the mixed sections themselves in as many places.
  */
-import type { Along, AlikePiece } from './alike.ts';
+
+import type { Vec2 } from '../math/vec.ts';
+import type { AlikePiece, Along } from './alike.ts';
 import { type KnotPiece, knotsOf } from './knots.ts';
 import { type Limit, limitOf, masked, type Net, subdivided } from './net.ts';
 import { clampedThrough, netOfRows, periodicThrough } from './through.ts';
-import type { Vec2 } from '../math/vec.ts';
-import { rowAt, type Weave } from './weave.ts';
+import type { Weave } from './weave.ts';
+import { rowAt } from './wovenRow.ts';
 
 /** How often every span is halved. */
 export interface Times {
@@ -26,7 +28,9 @@ export interface Woven {
 /** The controls of every piece, in order along and across. */
 export function controlNets(weave: Weave): Net[][] {
   const { alike, along, across } = weave;
-  const polygons = alike.pieces.map((piece, j) => piece.along.map((outline) => controlsAcross(outline, across[j]!, alike.seamless)));
+  const polygons = alike.pieces.map((piece, j) =>
+    piece.along.map((outline) => controlsAcross(outline, across[j]!, alike.seamless)),
+  );
   return along.map((piece) => polygons.map((polygon) => netAlong(weave, piece, polygon)));
 }
 
@@ -44,7 +48,12 @@ function netAlong(weave: Weave, piece: KnotPiece, polygon: readonly number[][]):
   const rows = us.map((u, k) => rowAt(weave, polygon, 'points', u, sideOf(k, us)));
   const slope = (k: number, t: number): Float64Array => rows[k]!.rate.map((x) => x * piece.map.slope(t));
   const ends = { first: slope(0, 0), last: slope(us.length - 1, piece.spans) };
-  return netOfRows(clampedThrough(rows.map(({ at }) => at), ends));
+  return netOfRows(
+    clampedThrough(
+      rows.map(({ at }) => at),
+      ends,
+    ),
+  );
 }
 
 /** The patch: its pieces in order along and across. */
@@ -90,7 +99,11 @@ export function unsplined(weave: Weave, times: Times): Woven[][] {
   });
 }
 
-function formsAt(part: AlikePiece, vs: readonly number[], sample: (outline: Along, v: number) => Vec2): number[][] {
+function formsAt(
+  part: AlikePiece,
+  vs: readonly number[],
+  sample: (outline: Along, v: number) => Vec2,
+): number[][] {
   return part.along.map((outline) => vs.flatMap((v) => [...sample(outline, v)]));
 }
 
