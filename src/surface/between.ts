@@ -60,7 +60,7 @@ function stepAt(us: readonly number[], u: number, side: -1 | 1, closed: boolean)
   const after = side === 1 ? u >= end : u > end;
   if (before || after) {
     const width = first + 1 - end;
-    const t = (u - end + (before ? 1 : 0)) / width;
+    const t = ((before ? u + 1 : u) - end) / width;
     const seam = { from: last, to: 0, width, t };
     return closed ? seam : { ...seam, alone: before ? 0 : last };
   }

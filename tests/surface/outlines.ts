@@ -60,7 +60,10 @@ export function bumpy(count: number, depth: number): Outline {
 }
 
 /** Straight lines from place to place, each at its v (from 0 to 1); corners where they meet. */
-export function lines(places: readonly (readonly [v: number, x: number, y: number])[], closed: boolean): Outline {
+export function lines(
+  places: readonly (readonly [v: number, x: number, y: number])[],
+  closed: boolean,
+): Outline {
   const piece = (v: number, side: -1 | 1): number => {
     let i = 0;
     while (i + 2 < places.length && (side === 1 ? v >= places[i + 1]![0] : v > places[i + 1]![0])) i++;
