@@ -6,7 +6,7 @@
  * in between (monotone.ts). Sections without corners there keep theirs, and are smooth across the crease, which fades away
  * towards them. Where counts disagree every corner is a crease at its own v.
  */
-import { scale2 } from '../math/tuple.ts';
+import { length2, scale2 } from '../math/tuple.ts';
 import type { Vec2 } from '../math/vec.ts';
 import { ascending } from './monotone.ts';
 import type { Outline } from './outline.ts';
@@ -37,6 +37,10 @@ export interface Alike {
 
 /** v nearer to each other are one */
 const SAME = 1e-6;
+/** v at which speeds next to a place are taken */
+const BESIDE = 1e-5;
+/** part by which they may differ in one smooth curve */
+const SPEEDS_ALIKE = 0.05;
 
 /** RangeError when open and closed outlines are mixed. */
 export function alike(outlines: readonly Outline[]): Alike {
@@ -46,7 +50,9 @@ export function alike(outlines: readonly Outline[]): Alike {
   }
   const still = closed ? [0, 0.5, 1] : [0, 1];
   const parts = still.slice(1).map((to, i) => common(outlines, still[i]!, to));
-  const atStill = still.slice(0, -1).filter((end) => !closed || outlines.some((o) => cornersAt(o, end)));
+  const atStill = still
+    .slice(0, -1)
+    .filter((end) => !closed || outlines.some((o) => cornersAt(o, end) || changesSpeed(o, end)));
   const creases = [...parts.flatMap(({ places }) => places), ...atStill].sort((a, b) => a - b);
   const seamless = creases.length === 0;
   const breaks = seamless ? [0, 1] : [...creases, closed ? creases[0]! + 1 : 1];
@@ -81,8 +87,20 @@ function ownPlace(parts: readonly Part[], k: number, v: number): number {
   return v;
 }
 
+/** Where front and back of a closed outline meet smoothly but run on at other speeds, a spline would ripple. */
+function changesSpeed(outline: Outline, end: number): boolean {
+  if (!outline.closed || cornersAt(outline, end)) return false;
+  const [before, after] = [speedBeside(outline, end, -1), speedBeside(outline, end, 1)];
+  return Math.abs(before - after) > SPEEDS_ALIKE * Math.max(before, after);
+}
+
 function cornersAt({ corners }: Outline, end: number): boolean {
   return corners.some((corner) => Math.abs(corner - end) < SAME || Math.abs(corner - end - 1) < SAME);
+}
+
+/** |d point / dv| next to a place. */
+function speedBeside(outline: Outline, v: number, side: -1 | 1): number {
+  return length2(outline.derivative(inside(outline, v + side * BESIDE), side));
 }
 
 /** The creases between two ends, and where each section has them (null: where they are). */
@@ -114,6 +132,7 @@ function along(outline: Outline, places: readonly number[], first: number, last:
   const from = places[0]!;
   const to = places[places.length - 1]!;
   const map = from === first && to === last ? null : ascending(places, [first, ...places.slice(1, -1), last]);
+  const uneven = [0, 0.5].filter((end) => changesSpeed(outline, end));
   const own = (v: number): number => (v <= from ? first : v >= to ? last : (map?.at(v) ?? v));
   return {
     point: (v) => outline.point(inside(outline, own(v))),
@@ -122,7 +141,9 @@ function along(outline: Outline, places: readonly number[], first: number, last:
       const at = inside(outline, own(v));
       // what arrives at v = 0 of a closed outline is the derivative at v = 1
       const found = outline.derivative(outline.closed && at === 0 && side === -1 ? 1 : at, side);
-      return map ? scale2(found, map.slope(v)) : found;
+      // which has one derivative for front and back
+      const speed = uneven.includes(at) ? speedBeside(outline, at, side) / (length2(found) || 1) : 1;
+      return scale2(found, speed * (map?.slope(v) ?? 1));
     },
   };
 }
