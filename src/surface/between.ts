@@ -28,20 +28,29 @@ export type Forms = readonly (readonly number[])[];
 export function mixOf(us: readonly number[], forms: Forms, between: Between, closed: boolean): Mix {
   const count = us.length;
   if (count === 1) return () => [{ section: 0, weight: 1, rate: 0 }];
+  if (between === 'linear') {
+    // a spline runs over the kink at a section with the mean of both sides
+    const sided = mixOf(us, forms, 'plain', closed);
+    const half = ({ section, weight, rate }: Share): Share => ({
+      section,
+      weight: weight / 2,
+      rate: rate / 2,
+    });
+    return (u, side) => (us.includes(u) ? [...sided(u, -1), ...sided(u, 1)].map(half) : sided(u, side));
+  }
   const slopes = us.map((_, k) => (between === 'cubic' ? slopeAt(us, forms, k, closed) : []));
   return (u, side) => {
     const step = stepAt(us, u, side, closed);
     if (step.alone !== undefined) return [{ section: step.alone, weight: 1, rate: 0 }];
-    const { from, to, width, t } = step;
-    if (between !== 'cubic') {
-      const rate = 1 / width;
-      return [
-        { section: from, weight: 1 - t, rate: -rate },
-        { section: to, weight: t, rate },
-      ];
-    }
-    return hermite(step, slopes[from]!, slopes[to]!);
+    return between === 'cubic' ? hermite(step, slopes[step.from]!, slopes[step.to]!) : straight(step);
   };
+}
+
+function straight({ from, to, width, t }: Step): Share[] {
+  return [
+    { section: from, weight: 1 - t, rate: -1 / width },
+    { section: to, weight: t, rate: 1 / width },
+  ];
 }
 
 interface Step {

@@ -9,8 +9,8 @@
 
 import type { Between } from './between.ts';
 import { columnsOf, type Entry, entriesOf, gathered } from './entries.ts';
+import { facing } from './facing.ts';
 import { normalsOf } from './normals.ts';
-import { sixVolumes, twiceArea } from './outward.ts';
 import type { Standing } from './placing.ts';
 import type { Sheet, SheetRow, Spine } from './sheet.ts';
 import { type PlacedOutline, type Weave, weaveOf } from './weave.ts';
@@ -25,6 +25,9 @@ export interface PatchOptions {
   /** how often each of them is halved */
   readonly subdivisions: Times;
 }
+
+/** normals nearer to each other are one */
+const ONE_NORMAL = 1e-6;
 
 /** Rows and columns without caps. */
 export function patchSheet(
@@ -54,14 +57,24 @@ function lobesOf(
   for (const across of woven) {
     const us = across[0]!.us;
     const [first, last] = [us[0]!, us[us.length - 1]!].map((u) => isTip(standing, u)) as [boolean, boolean];
-    if (first && lobes[lobes.length - 1]!.length > 0) lobes.push([]);
-    const before = lobes[lobes.length - 1]!.at(-1) ?? lobes[lobes.length - 2]?.at(-1);
-    const rows = rowsOf(across, entries, alike.closed, { first, last });
+    const before = lobes[lobes.length - 1]!.at(-1);
+    if (first && before) lobes.push([]);
+    const [start, ...others] = rowsOf(across, entries, alike.closed, { first, last });
+    const isOne = before && isInside(standing, us[0]!) && agree(before.normals, start!.normals);
     // rows in one place share their coordinates to the last bit
-    if (before) rows[0] = { ...rows[0]!, points: before.points };
-    lobes[lobes.length - 1]!.push(...rows);
+    if (!isOne) lobes[lobes.length - 1]!.push(before ? { ...start!, points: before.points } : start!);
+    lobes[lobes.length - 1]!.push(...others);
   }
   return lobes;
+}
+
+/** Between stops. */
+function isInside({ stops }: Standing, u: number): boolean {
+  return stops.every((stop) => stop.u !== u);
+}
+
+function agree(a: Float64Array, b: Float64Array): boolean {
+  return a.every((x, k) => Math.abs(x - b[k]!) < ONE_NORMAL);
 }
 
 function isTip({ stops }: Standing, u: number): boolean {
@@ -102,7 +115,7 @@ function rowsOf(
 /** Lobes with their outside out; sheets face the person who drew. */
 function faced(lobes: readonly SheetRow[][], closed: boolean): SheetRow[][] {
   return lobes.map((rows) => {
-    if ((closed ? sixVolumes(rows) : twiceArea(rows)) >= 0) return rows;
+    if (facing(rows, closed) !== -1) return rows;
     return rows.map((row) => ({ ...row, normals: row.normals.map((x) => -x), flipped: true }));
   });
 }

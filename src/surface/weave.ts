@@ -2,8 +2,8 @@
  * What lies under a patch: stands along u, outlines across (alike.ts) and their mix (between.ts), and where rows and columns are.
  */
 import { type Alike, alike } from './alike.ts';
+import { alongOf } from './along.ts';
 import { type Between, type Mix, mixOf } from './between.ts';
-import { rowsFor } from './fit.ts';
 import { type KnotPiece, knotPieces } from './knots.ts';
 import type { Outline } from './outline.ts';
 import type { Standing } from './placing.ts';
@@ -18,14 +18,14 @@ export interface Weave {
   readonly standing: Standing;
   readonly alike: Alike;
   readonly mix: Mix;
-  /** control spans between stops (and, without a spline, sections) */
+  /** control spans between stops and sections */
   readonly along: readonly KnotPiece[];
   /** control spans between creases, one for each of alike's pieces */
   readonly across: readonly KnotPiece[];
 }
 
 export interface WeaveSpans {
-  /** of all pieces together, about; null: as many as keep to the construction curves (fit.ts) */
+  /** of all pieces together, about; null: as many as keep to the construction curves (along.ts) */
   readonly rows: number | null;
   readonly columns: number;
 }
@@ -45,12 +45,11 @@ export function weaveOf(
     .sort((a, b) => a.u - b.u);
   const us = kept.map(({ u }) => u);
   const made = alike(kept.map(({ outline }) => outline));
-  const cut = (count: number): KnotPiece[] => alongOf(standing, us, between, count);
   return {
     standing,
     alike: made,
     mix: mixOf(us, formsOf(made, us.length), between, standing.closed),
-    along: cut(rows ?? rowsFor(standing, cut)),
+    along: alongOf(standing, us, rows),
     across: acrossOf(made, columns),
   };
 }
@@ -61,24 +60,6 @@ function formsOf({ pieces }: Alike, sections: number): number[][] {
   return Array.from({ length: sections }, (_, k) =>
     pieces.flatMap(({ from, to, along }) => vs.flatMap((t) => along[k]!.point(from + (to - from) * t))),
   );
-}
-
-/** Every section is a row. Without a spline it is the end of a piece, for there is an edge. */
-function alongOf(
-  { stops, closed }: Standing,
-  us: readonly number[],
-  between: Between,
-  rows: number,
-): KnotPiece[] {
-  const ends = stops.map(({ u }) => u);
-  const own = between === 'plain' ? us.filter((u) => ends.every((end) => Math.abs(end - u) > 1e-6)) : [];
-  const breaks = [...ends, ...own].sort((a, b) => a - b);
-  const pole = (u: number): boolean => stops.some((stop) => stop.u === u && stop.pole);
-  const least = (i: number): number => {
-    if (pole(breaks[i]!) && pole(breaks[i + 1]!)) return 2;
-    return closed ? Math.ceil(3 / (breaks.length - 1)) : 1;
-  };
-  return knotPieces(breaks, us, rows, least);
 }
 
 /** Creases, q_l and q_r are columns. */

@@ -1,5 +1,5 @@
 import { describe, expect, test } from 'vitest';
-import { dot3, length3, sub3 } from '../../src/math/tuple.ts';
+import { length3, sub3 } from '../../src/math/tuple.ts';
 import type { Vec3 } from '../../src/math/vec.ts';
 import { curveOf } from '../../src/stroke/arcLength.ts';
 import type { Curve } from '../../src/stroke/curve.ts';
@@ -9,17 +9,11 @@ import { pairCurves } from '../../src/surface/pair.ts';
 import { type PatchOptions, patchSheet } from '../../src/surface/patch.ts';
 import { type Standing, standingOf } from '../../src/surface/placing.ts';
 import type { Sheet } from '../../src/surface/sheet.ts';
-import { place } from '../../src/surface/stand.ts';
 import { penStroke } from '../fixtures/pen.ts';
 import { circle, halfCircle, line } from './curves.ts';
-import { arch, bumpy, DIAMOND, oval, ridge, STRAIGHT } from './outlines.ts';
+import { arch, bumpy, DIAMOND, oval, ridge } from './outlines.ts';
 
 const OPTIONS: PatchOptions = { between: 'cubic', rows: null, columns: 16, subdivisions: { u: 1, v: 1 } };
-const SPINE = {
-  closed: false,
-  stops: [0, 1],
-  at: () => ({ centre: [0, 0, 0], rate: [0, 1, 0], normal: [0, 1, 0], spin: [0, 0, 0] }),
-} as const;
 
 function patch(
   standing: Standing,
