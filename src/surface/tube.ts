@@ -37,7 +37,7 @@ export interface TubeOptions {
 }
 
 /** a steeper widening than this (27°) is not continued by a dome: that would be a ball on a spike */
-export const STEEPEST_DOME = 0.5;
+const STEEPEST_DOME = 0.5;
 /** the part of the length by which the surface's speed may shrink inside a bend before normals stop following */
 export const LEAST_SPEED = 0.1;
 /** away from the person who drew, in the plane's coordinates */
@@ -83,12 +83,13 @@ export function radiusOf(
   return (u) => radius * (0.2 + 1.6 * Math.min(Math.max(curve.pressure(u), 0), 1));
 }
 
-/** At open ends the widening is what a dome can continue, so that normals run through. */
 function flattenEnds(closed: boolean): (slice: Slice, i: number, all: readonly Slice[]) => Slice {
-  return (slice, i, all) => {
-    if (closed || (i > 0 && i < all.length - 1)) return slice;
-    return { ...slice, flare: Math.min(Math.max(slice.flare, -STEEPEST_DOME), STEEPEST_DOME), bend: 0 };
-  };
+  return (slice, i, all) => (closed || (i > 0 && i < all.length - 1) ? slice : flattened(slice));
+}
+
+/** At open ends the widening is what a dome can continue, so that normals run through. */
+export function flattened(slice: Slice): Slice {
+  return { ...slice, flare: Math.min(Math.max(slice.flare, -STEEPEST_DOME), STEEPEST_DOME), bend: 0 };
 }
 
 /** Frames whose binormal is the left of the stroke. */

@@ -1,7 +1,7 @@
 import { describe, expect, test } from 'vitest';
 import { alike } from '../../src/surface/alike.ts';
 import type { Outline } from '../../src/surface/outline.ts';
-import { arch, bumpy, DIAMOND, lines, oval, ridge, STRAIGHT } from './outlines.ts';
+import { arch, bumpy, DIAMOND, lines, oval, ridge, STRAIGHT } from './sections.ts';
 
 /** Points of one outline over all pieces. */
 function walk(outlines: readonly Outline[], k: number, steps = 20): (readonly [number, number])[] {

@@ -11,7 +11,7 @@ import { type Standing, standingOf } from '../../src/surface/placing.ts';
 import type { Sheet } from '../../src/surface/sheet.ts';
 import { penStroke } from '../fixtures/pen.ts';
 import { circle, halfCircle, line } from './curves.ts';
-import { arch, bumpy, DIAMOND, oval, ridge } from './outlines.ts';
+import { arch, bumpy, DIAMOND, oval, ridge } from './sections.ts';
 
 const OPTIONS: PatchOptions = { between: 'cubic', rows: null, columns: 16, subdivisions: { u: 1, v: 1 } };
 
