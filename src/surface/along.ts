@@ -10,7 +10,7 @@ import { length3 } from '../math/tuple.ts';
 import { limitMask } from './bspline.ts';
 import { type KnotPiece, knotPieces, knotsOf } from './knots.ts';
 import { masked, subdivided } from './net.ts';
-import type { Standing } from './placing.ts';
+import type { Source } from './source.ts';
 import { clampedThrough, netOfRows } from './through.ts';
 import { rowAt } from './wovenRow.ts';
 
@@ -28,9 +28,9 @@ const FEW = 4;
 /** u nearer to each other are one place */
 const SAME = 2e-3;
 
-/** Control spans along `standing` with sections at `us`; `rows`: about so many, null: as many as it needs. */
-export function alongOf(standing: Standing, us: readonly number[], rows: number | null): KnotPiece[] {
-  const { stops, closed } = standing;
+/** Control spans along `source` with sections at `us`; `rows`: about so many, null: as many as it needs. */
+export function alongOf(source: Source, us: readonly number[], rows: number | null): KnotPiece[] {
+  const { stops, closed } = source;
   const breaks = stops.map(({ u }) => u);
   for (const u of us) if (breaks.every((other) => Math.abs(other - u) > SAME)) breaks.push(u);
   breaks.sort((a, b) => a - b);
@@ -40,7 +40,7 @@ export function alongOf(standing: Standing, us: readonly number[], rows: number 
     return closed ? Math.ceil(3 / (breaks.length - 1)) : 1;
   };
   const even = knotPieces(breaks, [], rows ?? FEWEST_ROWS, least);
-  return rows === null ? refined(standing, even) : even;
+  return rows === null ? refined(source, even) : even;
 }
 
 interface Tried {
@@ -49,9 +49,9 @@ interface Tried {
   readonly miss: number;
 }
 
-function refined(standing: Standing, even: readonly KnotPiece[]): KnotPiece[] {
-  const longest = Math.max(...Array.from({ length: 65 }, (_, i) => 2 * standing.at(i / 64, 1).radius));
-  const tried = (piece: KnotPiece): Tried => ({ piece, miss: missOf(standing, piece, longest) });
+function refined(source: Source, even: readonly KnotPiece[]): KnotPiece[] {
+  const longest = Math.max(...Array.from({ length: 65 }, (_, i) => 2 * source.stand(i / 64, 1).radius));
+  const tried = (piece: KnotPiece): Tried => ({ piece, miss: missOf(source, piece, longest) });
   const pieces = even.map(tried);
   let rows = even.reduce((sum, { spans }) => sum + spans, 0);
   while (rows < MOST_ROWS) {
@@ -70,10 +70,10 @@ function halved({ from, to, spans }: KnotPiece): KnotPiece[] {
 }
 
 /** How far q_l and q_r, as a patch of two columns, come from themselves. */
-function missOf(standing: Standing, piece: KnotPiece, longest: number): number {
+function missOf(source: Source, piece: KnotPiece, longest: number): number {
   const mix = () => [{ section: 0, weight: 1, rate: 0 }];
   const rowsAt = (us: readonly number[]) =>
-    us.map((u, k) => rowAt({ standing, mix }, [[-1, 0, 1, 0]], 'points', u, k === us.length - 1 ? -1 : 1));
+    us.map((u, k) => rowAt({ source, mix }, [[-1, 0, 1, 0]], 'points', u, k === us.length - 1 ? -1 : 1));
   const rows = rowsAt(knotsOf(piece));
   const slope = (k: number, t: number): Float64Array => rows[k]!.rate.map((x) => x * piece.map.slope(t));
   const ends = { first: slope(0, 0), last: slope(rows.length - 1, piece.spans) };

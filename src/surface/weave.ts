@@ -6,16 +6,17 @@ import { alongOf } from './along.ts';
 import { type Between, type Mix, mixOf } from './between.ts';
 import { type KnotPiece, knotPieces } from './knots.ts';
 import type { Outline } from './outline.ts';
-import type { Standing } from './placing.ts';
+import type { Source } from './source.ts';
 
-/** An outline where it is a section of the surface. */
+/** A section where it stands. */
 export interface PlacedOutline {
+  /** along the construction curves, 0–1 */
   readonly u: number;
   readonly outline: Outline;
 }
 
 export interface Weave {
-  readonly standing: Standing;
+  readonly source: Source;
   readonly alike: Alike;
   readonly mix: Mix;
   /** control spans between stops and sections */
@@ -35,7 +36,7 @@ const COMPARED = 16;
 
 /** At least one section. Those in one place count once, the last given. */
 export function weaveOf(
-  standing: Standing,
+  source: Source,
   sections: readonly PlacedOutline[],
   between: Between,
   { rows, columns }: WeaveSpans,
@@ -46,10 +47,10 @@ export function weaveOf(
   const us = kept.map(({ u }) => u);
   const made = alike(kept.map(({ outline }) => outline));
   return {
-    standing,
+    source,
     alike: made,
-    mix: mixOf(us, formsOf(made, us.length), between, standing.closed),
-    along: alongOf(standing, us, rows),
+    mix: mixOf(us, formsOf(made, us.length), between, source.closed),
+    along: alongOf(source, us, rows),
     across: acrossOf(made, columns),
   };
 }

@@ -4,7 +4,8 @@
  */
 import type { Vec3 } from '../math/vec.ts';
 import type { Mix, Share } from './between.ts';
-import { type Axes, axesOf, ratesOf, type Standing } from './placing.ts';
+import { type Axes, placingAt } from './placing.ts';
+import type { Source } from './source.ts';
 
 /** A row, x y z, and its derivative by u. */
 export interface WovenRow {
@@ -17,18 +18,17 @@ export interface WovenRow {
  * place.
  */
 export function rowAt(
-  { standing, mix }: { readonly standing: Standing; readonly mix: Mix },
+  { source, mix }: { readonly source: Source; readonly mix: Mix },
   forms: readonly (readonly number[])[],
   kind: 'points' | 'vectors',
   u: number,
   side: -1 | 1,
 ): WovenRow {
   const shares = mix(u, side);
-  const stand = standing.at(u, side);
-  const axes = axesOf(stand);
+  const { axes, rates } = placingAt(source, u, side);
   const form = blended(forms, shares, 'weight');
   const isPoint = kind === 'points';
-  const moved = onStand(ratesOf(stand), form, isPoint);
+  const moved = onStand(rates, form, isPoint);
   const changed = onStand(axes, blended(forms, shares, 'rate'), false);
   return { at: onStand(axes, form, isPoint), rate: moved.map((x, i) => x + changed[i]!) };
 }

@@ -5,10 +5,9 @@ import { curveOf } from '../../src/stroke/arcLength.ts';
 import type { Curve } from '../../src/stroke/curve.ts';
 import { FILTER_DEFAULTS, filterStroke } from '../../src/stroke/filter.ts';
 import type { Outline } from '../../src/surface/outline.ts';
-import { pairCurves } from '../../src/surface/pair.ts';
 import { type PatchOptions, patchSheet } from '../../src/surface/patch.ts';
-import { type Standing, standingOf } from '../../src/surface/placing.ts';
 import type { Sheet } from '../../src/surface/sheet.ts';
+import { sourceOf } from '../../src/surface/source.ts';
 import { penStroke } from '../fixtures/pen.ts';
 import { circle, halfCircle, line } from './curves.ts';
 import { arch, bumpy, DIAMOND, oval, ridge } from './sections.ts';
@@ -16,16 +15,16 @@ import { arch, bumpy, DIAMOND, oval, ridge } from './sections.ts';
 const OPTIONS: PatchOptions = { between: 'cubic', rows: null, columns: 16, subdivisions: { u: 1, v: 1 } };
 
 function patch(
-  standing: Standing,
+  curves: readonly Curve[],
   sections: readonly (readonly [u: number, outline: Outline])[],
   options: Partial<PatchOptions> = {},
 ): Sheet {
+  const source = { curves, radius: 10, pressure: false, caps: 'none' } as const;
   return patchSheet(
-    standing,
-    SPINE,
+    source,
     sections.map(([u, outline]) => ({ u, outline })),
     { ...OPTIONS, ...options },
-  );
+  )!;
 }
 
 function at({ points }: { readonly points: Float64Array }, j: number): Vec3 {
@@ -80,22 +79,22 @@ const SETS: Readonly<Record<string, readonly (readonly [number, Outline])[]>> = 
 };
 
 for (const [name, curves] of Object.entries(PAIRS)) {
-  const standing = standingOf(pairCurves(...curves));
-  const chordAt = (u: number): number => 2 * standing.at(u, 1).radius;
+  const source = sourceOf({ curves, radius: 10, pressure: false });
+  const chordAt = (u: number): number => 2 * source.stand(u, 1).radius;
   const longest = Math.max(...Array.from({ length: 101 }, (_, i) => chordAt(i / 100)));
 
   describe(name, () => {
     for (const [set, sections] of Object.entries(SETS)) {
       test(`${set}: rows pass through q_l and q_r, to 1e-9 at knots, within 0.5 % of the chord between`, () => {
         const times = 2;
-        const sheet = patch(standing, sections, { subdivisions: { u: times, v: 0 } });
+        const sheet = patch(curves, sections, { subdivisions: { u: times, v: 0 } });
         const { vs } = sheet.columns;
         const right = sections[0]![1].closed ? vs.indexOf(0.5) : vs.length - 1;
         expect(right).toBeGreaterThan(0);
         let knot = 0;
         for (const row of sheet.rows) {
           if (!row.joined) knot = 0;
-          const stand = standing.at(row.at.u, row.at.side);
+          const stand = source.stand(row.at.u, row.at.side);
           const away = [
             length3(sub3(at(row, 0), [stand.left[0], stand.left[1], 0])),
             length3(sub3(at(row, right), [stand.right[0], stand.right[1], 0])),
@@ -113,7 +112,7 @@ for (const [name, curves] of Object.entries(PAIRS)) {
       test(`${set}: no NaN, unit normals, at every density`, () => {
         for (const between of ['cubic', 'linear', 'plain'] as const) {
           for (const rows of [1, 5, null]) {
-            const sheet = patch(standing, sections, { between, rows, columns: rows ?? 12 });
+            const sheet = patch(curves, sections, { between, rows, columns: rows ?? 12 });
             for (const row of sheet.rows) {
               expect(row.points).toHaveLength(3 * sheet.columns.vs.length);
               sheet.columns.vs.forEach((_, j) => {
