@@ -14,12 +14,14 @@ import {
   colourOf,
   type Document,
   type Draft,
+  finishOf,
   formOfDraft,
   isSurface,
   type Part,
   readingOf,
 } from './document.ts';
 import { draftPart, hasDraftGroup, joinedOf } from './draftPart.ts';
+import type { Finish } from './finish.ts';
 import { type Resolution, sheetOf } from './sheets.ts';
 import { nodeOf } from './solidNode.ts';
 import { PLAIN, type SurfaceForm } from './surfacePart.ts';
@@ -36,6 +38,7 @@ export interface Solid {
   readonly kind: Part['kind'];
   /** #rrggbb; where the mesh has colours of its own those count */
   readonly colour: string;
+  readonly finish: Finish;
   readonly mesh: Mesh;
 }
 
@@ -52,7 +55,7 @@ export function buildForm(
 
 interface Shape extends Pick<SurfaceForm, 'sections' | 'bends'> {
   readonly kind: SurfaceKind;
-  /** of what is no list; without the colour, which no mesh depends on */
+  /** of what is no list; without colour and finish, which no mesh depends on */
   readonly key: string;
   readonly mesh: Mesh | null;
 }
@@ -74,7 +77,7 @@ function surfaceOf(
   resolution: Resolution | null = null,
 ): Mesh | null {
   const { strokes, sections, bends, back, between, detail } = form;
-  const key = JSON.stringify([{ ...brush, colour: '' }, back, between, detail, resolution]);
+  const key = JSON.stringify([{ ...brush, colour: '', finish: null }, back, between, detail, resolution]);
   const known = shapes.get(strokes) ?? [];
   const isIt = (shape: Shape) =>
     shape.kind === kind && shape.key === key && shape.sections === sections && shape.bends === bends;
@@ -107,17 +110,17 @@ export function solidOf(part: Part, resolution: Resolution | null = null): Solid
 export const CLAY = '#cbcbcb';
 
 /** In its place; one colour covers those of the mesh, and says more exactly what all of its groups have. */
-function painted(part: Part, shape: Mesh): Pick<Solid, 'colour' | 'mesh'> {
+function painted(part: Part, shape: Mesh): Pick<Solid, 'colour' | 'finish' | 'mesh'> {
   const colour = colourOf(part);
   const { colours, ...plain } = shape;
   const mesh = colour === null || !colours ? shape : plain;
-  return { colour: colour ?? CLAY, mesh: placed(mesh, part.placement) };
+  return { colour: colour ?? CLAY, finish: finishOf(part), mesh: placed(mesh, part.placement) };
 }
 
 /** The kept parts that are not hidden, as meshes, but for one that the unfinished form becomes a part of, or was. */
 export function solids(document: Document, resolution: Resolution | null = null): Solid[] {
-  const inHand = joinedOf(document)?.id ?? document.draft?.recreates?.part;
-  const shown = document.parts.filter(({ hidden, id }) => !hidden && id !== inHand);
+  const inHand = [joinedOf(document)?.id, document.draft?.recreates?.part];
+  const shown = document.parts.filter(({ hidden, id }) => !hidden && !inHand.includes(id));
   return shown.map((part) => solidOf(part, resolution)).filter((solid) => solid !== null);
 }
 
@@ -153,7 +156,9 @@ export function draftSolids(document: Document): Solid[] {
   const forms = kind === 'tube' ? tubesOf(draft) : [whole];
   const found = forms.flatMap((form, i) => {
     const mesh = surfaceOf(kind, form, brush);
-    return mesh ? [{ id: `draft-${i}`, name: '', kind, colour: brush.colour, mesh }] : [];
+    return mesh
+      ? [{ id: `draft-${i}`, name: '', kind, colour: brush.colour, finish: brush.finish, mesh }]
+      : [];
   });
   drafts.set(draft, { brush, kind, solids: found });
   return found;

@@ -7,6 +7,7 @@ import type { Placement } from '../math/placement.ts';
 import type { FilterOptions } from '../stroke/filter.ts';
 import type { Stroke } from '../stroke/stroke.ts';
 import type { SurfaceKind } from '../surface/index.ts';
+import { DEFAULT_FINISH, type Finish } from './finish.ts';
 import { type Component, type Form, groupsOf, isForm } from './solid.ts';
 import { PLAIN, type SurfaceForm, steppedBack, strokesOfForm } from './surfacePart.ts';
 
@@ -23,6 +24,8 @@ export interface Brush {
   readonly filter: FilterOptions['filter'];
   /** levels of reverse subdivision, 0–6 */
   readonly levels: number;
+  /** how it answers light */
+  readonly finish: Finish;
 }
 
 /** What every part has, whatever it is made of. */
@@ -72,6 +75,12 @@ export function colourOf(part: Part): string | null {
   if (isSurface(part)) return part.brush.colour;
   const [first, ...others] = groupsOf(part).map(({ brush }) => brush.colour);
   return others.every((colour) => colour === first) ? (first ?? null) : null;
+}
+
+/** A solid is of one material, that of its first form; colours alone blend. */
+export function finishOf(part: Part): Finish {
+  if (isSurface(part)) return part.brush.finish;
+  return isSolid(part) ? groupsOf(part)[0]!.brush.finish : DEFAULT_FINISH;
 }
 
 /** What a part is made of. */
@@ -130,6 +139,7 @@ export const DEFAULT_BRUSH: Brush = {
   caps: true,
   filter: 'least-squares',
   levels: 3,
+  finish: DEFAULT_FINISH,
 };
 
 export const RADIUS_RANGE = { min: 0.5, max: 60 } as const;

@@ -66,7 +66,7 @@ const sheets = new WeakMap<readonly Stroke[], Known[]>();
 const KEPT = 4;
 
 /**
- * The surface with its bends, in the coordinates of its drawing plane; null when its strokes are too short, undefined nowhere.
+ * The surface with its bends, in the coordinates of its drawing plane; null when its strokes are too short or enclose nothing.
  * Without a resolution as finely as the form says.
  */
 export function sheetOf(
@@ -86,7 +86,7 @@ function unbent(
   resolution: Resolution | null,
 ): Sheet | null {
   const { strokes, sections, back, between, detail } = form;
-  const key = JSON.stringify([{ ...brush, colour: '' }, back, between, detail, resolution]);
+  const key = JSON.stringify([{ ...brush, colour: '', finish: null }, back, between, detail, resolution]);
   const known = sheets.get(strokes) ?? [];
   const found = known.find(
     (other) => other.kind === kind && other.key === key && other.sections === sections,

@@ -59,7 +59,8 @@ export function drawInk(
   }
   for (const mark of session.notice?.marks ?? []) drawMark(context, mark, session, colours);
   if (session.state.wet) drawWet(context, session.state.wet, predicted, colours);
-  if (session.state.marks) drawMarks(context, session.state.marks, session, colours);
+  const { marks = session.state.marked?.(session) } = session.state;
+  if (marks) drawMarks(context, marks, session, colours);
   if (session.state.band) drawBand(context, session.state.band, colours);
 }
 

@@ -38,6 +38,10 @@ export class Driver implements Bench {
     this.focused.push(ids);
   }
 
+  lookFrom(view: View): void {
+    this.view = view;
+  }
+
   commit(commands: readonly Command[]): void {
     this.history = commands.reduce(commit, this.history);
   }
