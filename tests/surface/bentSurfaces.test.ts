@@ -92,7 +92,6 @@ describe('bent surfaces', () => {
         const mesh = sheetMesh(bends.reduce(deform, flat), FLAT);
         const after = topology(mesh);
         expect(after.finite).toBe(true);
-        if (after.badEdges) console.log('BAD', name, bends.map((b) => [bow, hook, elbow].indexOf(b)));
         expect(after.badEdges).toBe(0);
         expect([after.euler, after.components]).toEqual([before.euler, before.components]);
         expect(volume(mesh)).toBeGreaterThan(0);
