@@ -5,11 +5,9 @@
  */
 import type { Mesh } from '../mesh/mesh.ts';
 import { placed } from '../mesh/placed.ts';
-import type { Curve } from '../stroke/curve.ts';
 import type { Stroke } from '../stroke/stroke.ts';
 import { buildSurface, type SurfaceKind } from '../surface/index.ts';
 import { bodyMade } from './bodies.ts';
-import { curveOfStroke } from './curves.ts';
 import {
   type Brush,
   colourOf,
@@ -22,6 +20,7 @@ import {
 } from './document.ts';
 import { draftPart, hasDraftGroup, joinedOf } from './draftPart.ts';
 import { nodeOf } from './solidNode.ts';
+import { inputOf } from './surfaceInput.ts';
 import { DEFAULT_DETAIL, type Detail, PLAIN, type SurfaceForm } from './surfacePart.ts';
 
 /** Quads along and around a parametric surface. */
@@ -57,11 +56,10 @@ export function buildForm(
   resolution: Resolution | null = null,
 ): Mesh | null {
   const plane = form.strokes[0]?.plane;
-  const found = form.strokes.map((stroke) => curveOfStroke(stroke, brush));
-  if (!plane || found.some((curve) => curve === null)) return null;
+  const input = inputOf(form, brush);
+  if (!plane || !input) return null;
   const { radius, pressure, caps } = brush;
   const quads = resolution ?? quadsOf(form.detail);
-  const input = { curves: found as Curve[], sections: [], bends: [] };
   return buildSurface(kind, input, plane, { radius, pressure, caps, ...quads });
 }
 
