@@ -8,6 +8,7 @@ import { LONGEST_NAME } from '../document/command/renamePart.ts';
 import { colourOf, isSolid, type Part, RADIUS_RANGE, type SurfacePart } from '../document/document.ts';
 import { colourName, spheres } from './colours.ts';
 import { radiusToSlider, sliderToRadius } from './controls.ts';
+import { partFinish } from './finishCard.ts';
 import { flawsOf } from './flaws.ts';
 import { groupCard } from './groupCard.ts';
 import { madeOf } from './partRows.ts';
@@ -35,7 +36,7 @@ export function partCard(session: Session): TemplateResult {
   return html`<section class="card-of-part">
     ${chosen.length === 1 ? nameField(session, chosen[0]!) : html`<h3>${PART_WORDS.several(chosen.length)}</h3>`}
     <h3>${PART_WORDS.colour} <span class="value">${colourWords(session)}</span></h3>
-    ${partColours(session)} ${radius(session, parts)}
+    ${partColours(session)} ${partFinish(session)} ${radius(session, parts)}
     ${parts.every(isSolid) ? groupCard(session) : nothing}
     ${only ? html`<p class="quiet-words">${facts(only)}</p>` : nothing}
     ${only ? flaws(session, only) : nothing}
