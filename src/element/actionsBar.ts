@@ -3,9 +3,9 @@ import { html, nothing, type TemplateResult } from 'lit';
 import { CLAY } from '../document/build.ts';
 import { nameOf } from '../document/command/changeParts.ts';
 import { mirrorOf } from '../document/mirror.ts';
+import { chosenColour } from './chosenParts.ts';
 import { type Actions, iconButton } from './controls.ts';
 import { ball } from './icons.ts';
-import { chosenColour } from './partCard.ts';
 import {
   duplicateSelection,
   hideSelection,
