@@ -64,7 +64,8 @@ export function buildForm(
   if (!plane || found.some((curve) => curve === null)) return null;
   const { radius, pressure, caps } = brush;
   const quads = resolution ?? quadsOf(form.detail);
-  return buildSurface(kind, found as Curve[], plane, { radius, pressure, caps, ...quads });
+  const input = { curves: found as Curve[], sections: [], bends: [] };
+  return buildSurface(kind, input, plane, { radius, pressure, caps, ...quads });
 }
 
 interface Shape extends Pick<SurfaceForm, 'sections' | 'bends'> {

@@ -9,7 +9,7 @@ import type { Stroke } from '../stroke/stroke.ts';
 import type { SurfaceKind } from '../surface/index.ts';
 import { DEFAULT_FINISH, type Finish } from './finish.ts';
 import { type Component, type Form, groupsOf, isForm } from './solid.ts';
-import { kindOfStrokes, PLAIN, type SurfaceForm, strokesOfForm } from './surfacePart.ts';
+import { PLAIN, type SurfaceForm, steppedBack, strokesOfForm } from './surfacePart.ts';
 
 /** What the next form is made with; a kept part has its own copy. */
 export interface Brush {
@@ -161,18 +161,15 @@ export function readingOf({ draft, tubesOnly }: Document): Reading | null {
   const { strokes = [], sections = [], form } = draft ?? {};
   if (strokes.length === 0) return null;
   if (form !== undefined && isForm(form)) return 'solid';
-  if (tubesOnly || form === 'tube') return 'tube';
+  if (form === 'tube' || staysTubes({ draft, tubesOnly })) return 'tube';
   const isUnsaid = form === undefined && sections.length === 0;
   if (strokes[0]!.closed && isUnsaid && !draft?.recreates) return 'solid';
-  return steppedBack(kindOfStrokes({ strokes, sections }), form);
+  return steppedBack({ strokes, sections }, form);
 }
 
-/** A person may have gone back to what fewer strokes make; no stroke is lost. */
-function steppedBack(kind: SurfaceKind, form: SurfaceKind | undefined): SurfaceKind {
-  const steps: readonly SurfaceKind[] = ['tube', 'rotational', 'crossSection', 'bspline'];
-  const wanted = form && steps.indexOf(form) < steps.indexOf(kind) ? form : kind;
-  return wanted;
-}
+/** Strokes of a part that are in hand again are what the part was, whatever others become. */
+export const staysTubes = ({ draft, tubesOnly }: Pick<Document, 'draft' | 'tubesOnly'>): boolean =>
+  tubesOnly && !draft?.recreates;
 
 /** The unfinished form as surfaces are made of it. */
 export const formOfDraft = ({ strokes, sections, back, between, detail }: Draft): SurfaceForm => ({

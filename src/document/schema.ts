@@ -158,11 +158,18 @@ export const sectionStroke = fields({
   half: v.optional(v.nullable(v.pipe(number(RANGES.half), v.description('mm'))), null),
 });
 
+/** Drawn over a section. */
+export const redrawnStroke = fields({
+  stroke,
+  half: v.pipe(number(RANGES.half), v.description('mm')),
+});
+
 export const section = fields({
   u,
   front: v.optional(v.nullable(sectionStroke), null),
   back: v.optional(v.nullable(sectionStroke), null),
-  redraws: v.optional(list(sectionStroke, LIMITS.redraws, 'redrawn strokes'), []),
+  redraws: v.optional(list(redrawnStroke, LIMITS.redraws, 'redrawn strokes'), []),
+  follows: v.exactOptional(v.literal(true, 'true')),
 });
 
 const bendFields = { stroke, keepsLength: flag, isOff: flag };

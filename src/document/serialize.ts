@@ -10,6 +10,7 @@ import { apply, type Command } from './command/index.ts';
 import {
   type Brush,
   type Document,
+  type Draft,
   EMPTY_DOCUMENT,
   formOfDraft,
   isBody,
@@ -150,12 +151,19 @@ function neededFor(document: Document): Version {
   const { parts, draft } = document;
   if (!brushesOf(document).every(({ finish }) => isPlainFinish(finish))) return SECTIONS;
   if (!parts.filter(isSurface).every(isPlain)) return SECTIONS;
-  if (draft && (draft.recreates || !isPlain(formOfDraft(draft)))) return SECTIONS;
+  if (draft && (draft.recreates || isLatest(draft) || !isPlain(formOfDraft(draft)))) return SECTIONS;
   if (parts.some(isSolid) || draft?.form || draft?.joins || draft?.carves) return SOLIDS;
   const bodies = parts.filter(isBody);
   if (bodies.some(({ node }) => hasWidths(node))) return SOLIDS;
   return bodies.length > 0 ? 2 : 1;
 }
+
+/** The first version that has sections, bends and what goes with them. */
+const SECTIONS: Version = 5;
+
+/** Forms that came with them. */
+const isLatest = ({ form }: { readonly form?: Draft['form'] | null }): boolean =>
+  form === 'crossSection' || form === 'bspline';
 
 function brushesOf({ brush, draft, parts }: Document): readonly Brush[] {
   const own = parts.flatMap((part) => {
@@ -173,16 +181,12 @@ const hasWidths = (node: FieldNode): boolean =>
 const LATE: readonly Command['type'][] = [
   'scaleParts',
   'mirrorParts',
-  'paste',
   'setForm',
   'setGroups',
   'setComponents',
   'moveGroups',
   'editSkeleton',
 ];
-
-/** The first version that has sections, bends and what goes with them. */
-const SECTIONS: Version = 5;
 
 const LATEST: readonly Command['type'][] = [
   'addSection',
@@ -207,6 +211,7 @@ function neededBy(command: Command): Version {
   if ('change' in command && command.change && 'finish' in command.change) return SECTIONS;
   if (command.type === 'paste')
     return Math.max(SOLIDS, neededFor({ ...EMPTY_DOCUMENT, parts: command.parts })) as Version;
+  if ((command.type === 'setForm' || command.type === 'addStroke') && isLatest(command)) return SECTIONS;
   if (LATE.includes(command.type) || 'mirror' in command) return SOLIDS;
   if (command.type === 'addStroke') return command.form || command.joins || command.carves ? SOLIDS : 1;
   if (command.type !== 'addBody' && command.type !== 'setBody') return 1;

@@ -145,12 +145,13 @@ function furtherOf({
   };
 }
 
-function writtenSection({ u, front, back, redraws }: Section) {
+function writtenSection({ u, front, back, redraws, follows }: Section) {
   return {
     u,
     front: front && writtenDrawn(front),
     back: back && writtenDrawn(back),
     redraws: redraws.map(writtenDrawn),
+    ...(follows && { follows }),
   };
 }
 
