@@ -1,13 +1,23 @@
 /** The chip at the unfinished form: what it is, what else it may be, keep or drop. */
 import { html, nothing, type TemplateResult } from 'lit';
 import { type Document, readingOf } from '../document/document.ts';
+import { BACKS, PLAIN } from '../document/surfacePart.ts';
+import { BACK_ICONS, hasAcrossCard, setBack } from './acrossCard.ts';
 import { type Actions, iconButton, roving } from './controls.ts';
 import { draftProblem } from './draftProblem.ts';
 import { fact, formWord, joinWord, previewWords, shortName, startedOn } from './draftWords.ts';
 import { ball, type IconName, icon } from './icons.ts';
 import type { ChipSize, Size } from './place.ts';
 import type { Session } from './session.ts';
-import { FORMS, type FormWord, JOINS, type JoinWord, SILHOUETTE_WORDS, WORDS } from './words.ts';
+import {
+  FORMS,
+  type FormWord,
+  JOINS,
+  type JoinWord,
+  SECTION_WORDS,
+  SILHOUETTE_WORDS,
+  WORDS,
+} from './words.ts';
 
 const CLOSED: readonly FormWord[] = ['soft', 'plate', 'ring', 'carve', 'tube'];
 const OPEN: readonly FormWord[] = ['tube', 'line', 'curve'];
@@ -45,8 +55,8 @@ const joinChoices = (document: Document): readonly JoinWord[] =>
     : [];
 
 /** px: about what it needs. Wide pages have room for words. */
-export function chipSize(document: Document, { width }: Size): ChipSize {
-  const forms = formChoices(document).length;
+export function chipSize(document: Document, { width }: Size, backs = false): ChipSize {
+  const forms = backs ? BACKS.length : formChoices(document).length;
   const joins = joinChoices(document).length > 0;
   const words = width >= WORDY;
   return {
@@ -82,7 +92,7 @@ export function chip(session: Session, actions: Actions): TemplateResult | typeo
     <div class="what ${problem ? 'problem' : ''}">
       ${problem ? icon('warn', 20) : nothing}<div><b>${shortName(document)}</b><small>${problem ?? fact(document)}</small></div>
     </div>
-    ${forms(session)}
+    ${showsBacks(session, actions.open) ? backs(session) : forms(session)}
     <button class="b quiet text" aria-label="Drop" aria-keyshortcuts="Escape" @click=${done(() => session.drop())}>${icon('x', 20)}<span class="word">Drop</span></button>
     ${problem ? wayOn(session, done) : html`<button class="b primary text" aria-keyshortcuts="N Enter" @click=${done(() => session.keep())}>${icon('check', 20)}Keep</button>`}
     </div>
@@ -94,7 +104,7 @@ export function chip(session: Session, actions: Actions): TemplateResult | typeo
 function wayOn(session: Session, done: (run: () => void) => () => void): TemplateResult {
   const kind = readingOf(session.document);
   if (kind === 'rotational') {
-    const tubes = done(() => session.run({ type: 'setTubesOnly', on: true }));
+    const tubes = done(() => session.run({ type: 'setForm', form: 'tube' }));
     return html`<button class="b primary text" @click=${tubes}>${icon('tube', 20)}${WORDS.twoTubes}</button>`;
   }
   return html`<button class="b primary text" @click=${done(() => session.undo())}>${icon('undo', 20)}${WORDS.undoStroke}</button>`;
@@ -131,6 +141,23 @@ function forms(session: Session): TemplateResult | typeof nothing {
     run: () => choose(session, word),
   }));
   return choices.length > 0 ? radios(SILHOUETTE_WORDS.forms, 'forms', choices) : nothing;
+}
+
+/** Where the card of the Section tool is not. */
+export function showsBacks(session: Session, open: Actions['open']): boolean {
+  const kind = readingOf(session.document);
+  return (kind === 'crossSection' || kind === 'bspline') && !hasAcrossCard(session, open);
+}
+
+function backs(session: Session): TemplateResult {
+  const now = session.document.draft?.back ?? PLAIN.back;
+  const choices = BACKS.map((back) => ({
+    ...SECTION_WORDS.backs[back],
+    image: BACK_ICONS[back],
+    chosen: back === now,
+    run: () => setBack(session, back),
+  }));
+  return radios(SECTION_WORDS.back, 'forms', choices);
 }
 
 function choose(session: Session, word: FormWord): void {

@@ -7,7 +7,7 @@ import type { Files } from './files.ts';
 import { ball, type IconName, icon, wordmark } from './icons.ts';
 import type { Place } from './place.ts';
 import type { Session } from './session.ts';
-import { PART_WORDS, type ShownStyle, STYLE_NAMES, WORDS } from './words.ts';
+import { PART_WORDS, SECTION_WORDS, type ShownStyle, STYLE_NAMES, WORDS } from './words.ts';
 
 export type PanelName = 'settings' | 'menu' | 'palette' | 'help' | 'drawings' | 'file' | 'export' | 'parts';
 
@@ -137,6 +137,10 @@ export function rail(session: Session, actions: Actions): TemplateResult {
     session.setTool('draw');
     actions.dismiss();
   };
+  const across = () => {
+    session.setTool('section');
+    actions.dismiss();
+  };
   const { min, max } = RADIUS_RANGE;
   const { radius } = session;
   const position = radiusToSlider(radius);
@@ -144,7 +148,8 @@ export function rail(session: Session, actions: Actions): TemplateResult {
     actions.setRadius(sliderToRadius(Number((event.target as HTMLInputElement).value)), done);
   return html`<div class="rail card chrome ${named ? 'named' : ''} ${drawing ? '' : 'selecting'}" part="tools" role="toolbar" aria-label="Tools" aria-orientation="vertical">
     ${iconButton('draw', 'Draw', draw, { key: 'D', pressed: drawing })}
-    ${iconButton('select', PART_WORDS.select, () => session.setTool('select'), { key: 'V', pressed: !drawing })}
+    ${iconButton('section', SECTION_WORDS.tool, across, { key: 'L', pressed: session.tool === 'section' })}
+    ${iconButton('select', PART_WORDS.select, () => session.setTool('select'), { key: 'V', pressed: session.tool === 'select' })}
     ${
       drawing
         ? html`<hr />${iconButton(null, 'Colour', () => actions.toggle('palette'), {
@@ -196,7 +201,8 @@ export function status(session: Session): TemplateResult {
   const { seen, detail } = session;
   const draws = slow ?? (session.noPicture ? WORDS.noPicture : WORDS.loading);
   return html`<div class="status chrome" part="status">
-    <span role="status" aria-live="polite"><b>${session.said}</b></span>
+    ${session.hint ? html`<span aria-hidden="true"><b>${session.hint}</b></span>` : nothing}
+    <span role="status" aria-live="polite" class=${session.hint ? 'hidden' : ''}><b>${session.said}</b></span>
     <span><i class="dot ${backend === 'WebGPU' ? '' : 'slow'}"></i><span class="seen">${seen}</span><span class="aside"><span class="gap">${seen && ' · '}</span><span class="facts">${detail && `${detail} · `}</span>${draws}</span></span>
   </div>`;
 }

@@ -7,6 +7,7 @@ import {
   type FormWord,
   type JoinWord,
   PART_WORDS,
+  SECTION_WORDS,
   SILHOUETTE_WORDS,
   SURFACE,
   WORDS,
@@ -31,11 +32,13 @@ export function longName(document: Document): string {
 /** On the chip. */
 export function shortName(document: Document): string {
   const kind = readingOf(document);
-  return kind && kind !== 'solid' ? SURFACE[kind].name : longName(document);
+  return kind && kind !== 'solid' && kind !== 'crossSection' ? SURFACE[kind].name : longName(document);
 }
 
 export function previewWords(document: Document): string {
   const kind = readingOf(document);
+  const sections = document.draft?.sections?.length ?? 0;
+  if (kind === 'bspline') return `${WORDS.preview(kind)}, ${SECTION_WORDS.sections(sections)}`;
   if (kind && kind !== 'solid') return WORDS.preview(kind);
   const joined = joinedOf(document)?.name ?? null;
   if (joined && document.draft?.carves) return SILHOUETTE_WORDS.carving(joined);
@@ -61,6 +64,8 @@ export function keptWords(document: Document): string | null {
 export function fact(document: Document): string {
   const { draft, brush } = document;
   const strokes = draft?.strokes.length ?? 0;
+  const across = sectionsFact(document);
+  if (across) return across;
   const word = formWord(document);
   const joined = joinedOf(document)?.name;
   if (joined) {
@@ -73,6 +78,22 @@ export function fact(document: Document): string {
   if (word === 'plate') return SILHOUETTE_WORDS.thick(2 * brush.radius);
   if (word && strokes === 1) return SILHOUETTE_WORDS.radius(brush.radius);
   return PART_WORDS.strokes(strokes);
+}
+
+/** Where its one section is, or how many there are. */
+function sectionsFact(document: Document): string | null {
+  const { sections = [] } = document.draft ?? {};
+  const [first] = sections;
+  const kind = readingOf(document);
+  if (!first || (kind !== 'crossSection' && kind !== 'bspline')) return null;
+  return sections.length > 1
+    ? SECTION_WORDS.sections(sections.length)
+    : SECTION_WORDS.sectionAt(Math.round(100 * first.u));
+}
+
+/** The section that was drawn last has no back yet, and gets one of its own. */
+export function lacksBack({ draft }: Document): boolean {
+  return draft?.back === 'drawn' && (draft.sections ?? []).some(({ front, back }) => front && !back);
 }
 
 // A form that was set apart can be joined again as long as its strokes are there.

@@ -45,6 +45,7 @@ export class Hands {
     return {
       down: (pen) => this.#down(pen),
       move: (pens, predicted) => this.#move(pens, predicted),
+      hover: (pen) => this.#hover(pen),
       up: () => {
         this.rest();
         session.up();
@@ -81,6 +82,12 @@ export class Hands {
     // At once, not with the frame: ink waits for nothing.
     this.#host.drawInk();
     stepBack(this.#host.renderRoot, pens.at(-1) ?? null);
+  }
+
+  #hover(pen: Pen | null): void {
+    if (this.#host.readOnly) return;
+    this.#host.session.hover(pen);
+    if (this.#host.session.state.hover) this.#host.drawInk();
   }
 
   /** Where a finger or the pen only turns the view, a tap takes the part under it. */

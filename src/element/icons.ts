@@ -21,6 +21,7 @@ import history from 'lucide-static/icons/history.svg?raw';
 import image from 'lucide-static/icons/image.svg?raw';
 import parts from 'lucide-static/icons/layers.svg?raw';
 import drawings from 'lucide-static/icons/layout-grid.svg?raw';
+import lock from 'lucide-static/icons/lock.svg?raw';
 import full from 'lucide-static/icons/maximize.svg?raw';
 import scale from 'lucide-static/icons/maximize-2.svg?raw';
 import select from 'lucide-static/icons/mouse-pointer-2.svg?raw';
@@ -116,6 +117,7 @@ const LUCIDE = {
   history,
   home,
   image,
+  lock,
   more,
   open,
   plus,

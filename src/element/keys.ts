@@ -70,6 +70,9 @@ function drawing(key: string, shift: boolean, session: Session, actions: KeyActi
     case 'd':
       session.setTool('draw');
       return done(actions.close());
+    case 'l':
+      session.setTool('section');
+      return done(actions.close());
     case 'v':
       return done(session.setTool('select'));
     case 'm':

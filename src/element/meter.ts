@@ -1,9 +1,11 @@
 /** What the strokes are now, and what one more, or leaving the outline open, would make of them. */
 import { html, nothing, type TemplateResult } from 'lit';
 import { readingOf } from '../document/document.ts';
+import { kindOfStrokes } from '../document/surfacePart.ts';
+import type { SurfaceKind } from '../surface/index.ts';
 import { icon } from './icons.ts';
 import type { Session } from './session.ts';
-import { SILHOUETTE_WORDS } from './words.ts';
+import { METER_WORDS, SILHOUETTE_WORDS } from './words.ts';
 
 export function meter(session: Session): TemplateResult | typeof nothing {
   // while the pen closes an outline it already is what lifting would make it
@@ -29,23 +31,71 @@ function closedMeter(session: Session): TemplateResult {
   </div>`;
 }
 
-/** The number of open strokes decides. */
+/** What strokes make, the fewest first. */
+const STEPS: readonly SurfaceKind[] = ['tube', 'rotational', 'crossSection', 'bspline'];
+
+/** The number of strokes decides; what needs fewer was passed on the way, and is there to go back to. */
 function numbered(session: Session): TemplateResult | typeof nothing {
-  const { draft, tubesOnly } = session.document;
-  const kind = readingOf(session.document);
-  // a line, a curve or a point is no step on the way to a rotational surface
-  if (!draft || kind === 'solid') return nothing;
-  const two = draft.strokes.length > 1;
-  const only = (on: boolean) => () => session.run({ type: 'setTubesOnly', on });
-  const done = kind === 'rotational';
-  return html`<div class="meter card chrome" part="meter" role="group" aria-label="The number of strokes decides the surface">
-    <button class=${done ? 'done' : ''} aria-current=${done ? nothing : 'step'} @click=${only(true)}
-      title=${done ? 'Back to two tubes; no stroke is lost' : 'Every stroke a tube'}>
-      ${icon('tube')}${done ? html`<span class="tick">${icon('check')}</span>` : nothing}1 Tube${tubesOnly ? html`<span class="hidden">, every stroke</span>` : nothing}
-    </button>
-    <button aria-current=${done ? 'step' : nothing} @click=${only(false)}
-      title=${two ? 'Between the two strokes' : 'Draw the other side to make it round'}>
-      ${icon('rotational')}2 Rotational
-    </button>
+  const { document } = session;
+  const kind = readingOf(document);
+  // a line, a curve or a point is no step on the way to a surface
+  if (!document.draft || kind === null || kind === 'solid') return nothing;
+  const now = STEPS.indexOf(kind);
+  return html`<div class="meter steps card chrome" part="meter" role="group" aria-label=${METER_WORDS.label}>
+    ${STEPS.map((step, i) => stepButton(session, step, i, now))}
   </div>`;
+}
+
+function stepButton(session: Session, step: SurfaceKind, i: number, now: number): TemplateResult {
+  const { tubesOnly } = session.document;
+  const pinned = step === 'tube' && tubesOnly;
+  const state = pinned ? 'pinned' : i < now ? 'done' : i === now ? 'current' : 'next';
+  const { name, number } = METER_WORDS.steps[step];
+  const sign = { pinned: 'lock', done: 'check', current: null, next: null } as const;
+  const hold = step === 'tube' ? held(session) : null;
+  return html`<button class=${state} aria-current=${i === now ? 'step' : nothing} title=${METER_WORDS.hint(step, state)}
+    @click=${() => hold?.wasLong() || take(session, step, now)}
+    @pointerdown=${hold?.begin} @pointerup=${hold?.end} @pointerleave=${hold?.end} @contextmenu=${hold?.pin}>
+    ${icon(step)}${sign[state] ? html`<span class="tick">${icon(sign[state])}</span>` : nothing}<span class="number">${number}</span><span class="long">${name}</span>${pinned ? html`<span class="hidden">, ${METER_WORDS.everyStroke}</span>` : nothing}
+  </button>`;
+}
+
+/** Back to what fewer strokes make, on to what there are strokes for, or the tool that draws what is missing. */
+function take(session: Session, step: SurfaceKind, now: number): void {
+  const { document } = session;
+  const draft = document.draft!;
+  const to = STEPS.indexOf(step);
+  const whole = kindOfStrokes({ strokes: draft.strokes, sections: draft.sections ?? [] });
+  if (document.tubesOnly) session.run({ type: 'setTubesOnly', on: false });
+  if (to <= STEPS.indexOf(whole)) {
+    if (to !== now) session.run({ type: 'setForm', form: step === whole ? null : step });
+  } else if (to > 1) session.setTool('section');
+}
+
+/** ms: a press this long pins */
+const LONG = 500;
+let timer: ReturnType<typeof setTimeout> | undefined;
+let long = false;
+
+/** A press that lasts pins the step: every stroke a tube. So does the other button; keys find it in the settings. */
+function held(session: Session) {
+  const pin = () => {
+    long = true;
+    session.run({ type: 'setTubesOnly', on: !session.document.tubesOnly });
+  };
+  return {
+    begin: () => {
+      clearTimeout(timer);
+      long = false;
+      timer = setTimeout(pin, LONG);
+    },
+    end: () => clearTimeout(timer),
+    pin: (event: Event) => {
+      event.preventDefault();
+      clearTimeout(timer);
+      if (!long) pin();
+    },
+    /** The click that ends a long press is none. */
+    wasLong: () => long,
+  };
 }

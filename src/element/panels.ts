@@ -92,6 +92,7 @@ function stroke(session: Session): TemplateResult {
           @change=${(event: Event) => session.setBrush({ levels: Number((event.target as HTMLInputElement).value) })} />
       </div>
       ${toggle('Pressure makes tubes thicker', brush.pressure, (pressure) => session.setBrush({ pressure }))}
+      ${toggle('Every stroke a tube', session.document.tubesOnly, (on) => session.run({ type: 'setTubesOnly', on }))}
       ${toggle('Close open ends', brush.caps, (caps) => session.setBrush({ caps }))}
     </section>`;
 }

@@ -9,6 +9,8 @@ import type { Pen } from '../tool/tool.ts';
 export interface PointerTarget {
   down(pen: Pen): void;
   move(pens: readonly Pen[], predicted: readonly Pen[]): void;
+  /** over the picture, not on it; null: it left */
+  hover(pen: Pen | null): void;
   up(): void;
   cancel(): void;
   /** camera moves, CSS pixels and radians */
@@ -60,6 +62,7 @@ export class PointerRouter {
     on<PointerEvent>('pointerdown', (event) => this.#down(event));
     on<PointerEvent>('pointermove', (event) => this.#move(event));
     on<PointerEvent>('pointerup', (event) => this.#up(event));
+    on<PointerEvent>('pointerleave', (event) => this.#leave(event));
     on<PointerEvent>('pointercancel', (event) => this.#lost(event));
     on<PointerEvent>('lostpointercapture', (event) => this.#lost(event));
     on<WheelEvent>('wheel', (event) => this.#wheel(event));
@@ -132,10 +135,19 @@ export class PointerRouter {
       this.#fingerMove(event);
       return;
     }
+    if (this.#owner === null && this.#fingers.size === 0 && event.buttons === 0) {
+      this.#target.hover(this.#pen(event));
+      return;
+    }
     const before = this.#last;
     this.#last = this.#at(event);
     this.#tap.moved += Math.hypot(this.#last.x - before.x, this.#last.y - before.y);
     this.#drag(before, this.#last, event);
+  }
+
+  /** Fingers do not hover: their leaving is the end of a gesture. */
+  #leave(event: PointerEvent): void {
+    if (event.pointerType !== 'touch' && this.#owner === null) this.#target.hover(null);
   }
 
   #drag(a: Finger, b: Finger, event: PointerEvent): void {

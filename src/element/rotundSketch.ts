@@ -6,9 +6,10 @@ import { html, nothing, type PropertyDeclarations, type PropertyValues, type Tem
 import { draftIsWhole, draftSolids } from '../document/build.ts';
 import type { Scene } from '../scene/index.ts';
 import { isDark, lineColour, PAPER_COLOUR, pencilColour } from '../scene/look.ts';
+import { acrossCard, acrossLayout } from './acrossCard.ts';
 import { actionsBar } from './actionsBar.ts';
 import { SketchApi } from './api.ts';
-import { chip, chipSize } from './chip.ts';
+import { chip, chipSize, showsBacks } from './chip.ts';
 import { chipLayout } from './chipLayout.ts';
 import { clipboard } from './clipboard.ts';
 import { notice, type PanelName, rail, status, topBar } from './controls.ts';
@@ -58,6 +59,7 @@ export class RotundSketch extends SketchApi {
     partsLayout,
     skeletonLayout,
     profileLayout,
+    acrossLayout,
   ];
   /** @internal */
   static override properties: PropertyDeclarations = {
@@ -283,7 +285,7 @@ export class RotundSketch extends SketchApi {
     const around = {
       before: html`${hasSkeleton(session) ? skeletonOverlay(session) : gizmo(session, this)} ${empty && (session.noPicture?.told ?? true) ? html`<div class="start ${this.files.samples.list.length > 0 ? 'filled' : ''}">${hint()}${gallery(this)}</div>` : nothing} ${fileTray(session, this)}`,
       after: html`${rail(session, this)} ${meter(session)}
-        ${actionsBar(session, this)} ${chip(session, this)}`,
+        ${actionsBar(session, this)} ${acrossCard(session, this)} ${chip(session, this)}`,
     };
     return html`<div class="app ${isDark(session.look.background) ? 'on-dark' : ''}">
       <div class="stage ${this.#cursor}" part="stage" role=${this.readOnly ? 'img' : 'application'}
@@ -377,6 +379,7 @@ export class RotundSketch extends SketchApi {
     const key = JSON.stringify([view, state.carried, state.skeleton?.nodes, frames.triangles]);
     if (key === this.#viewKey) return;
     this.#viewKey = key;
+    this.session.hoverAgain();
     this.requestUpdate();
   }
 
@@ -404,7 +407,7 @@ export class RotundSketch extends SketchApi {
     // a solid is not there at once
     const box = screenBox(meshes, view, size) ?? strokesBox(document.draft.strokes, view, size);
     const middle = { left: size.width / 2, right: size.width / 2, top: 80, bottom: 80 };
-    return chipPlace(box ?? middle, size, chipSize(document, size));
+    return chipPlace(box ?? middle, size, chipSize(document, size, showsBacks(this.session, this.open)));
   }
 
   // ── what the controls ask for ───────────────────────────────────────────────────────────────────────

@@ -35,7 +35,9 @@ import type { Scene } from '../scene/index.ts';
 import { AIR, type Margins } from '../scene/view.ts';
 import { rayAt } from '../stroke/plane.ts';
 import type { View } from '../stroke/stroke.ts';
+import { acrossOf } from '../tool/across.ts';
 import { idle } from '../tool/draw.ts';
+import { sectioning } from '../tool/section.ts';
 import { selecting } from '../tool/select.ts';
 import type { Bench, Pen, State, Notice as ToolNotice } from '../tool/tool.ts';
 import { trial } from '../tool/trial.ts';
@@ -43,7 +45,7 @@ import type { Viewport } from '../tool/viewport.ts';
 import { Bodies, type News } from './bodies.ts';
 import { CameraMoves } from './cameraMoves.ts';
 import { draftProblem } from './draftProblem.ts';
-import { longName, previewWords, rememberStart, shortName } from './draftWords.ts';
+import { lacksBack, longName, previewWords, rememberStart, shortName } from './draftWords.ts';
 import type { Cause } from './events.ts';
 import { Exact } from './exact.ts';
 import { isCastable, pickedAmong, pickedOn } from './exactPick.ts';
@@ -54,7 +56,7 @@ import type { Picked } from './picked.ts';
 import { Rays } from './rays.ts';
 import { spoken } from './speech.ts';
 import { Timing } from './timing.ts';
-import { SILHOUETTE_WORDS, SOLID_WORDS, SURFACE, WORDS } from './words.ts';
+import { SECTION_WORDS, SILHOUETTE_WORDS, SOLID_WORDS, SURFACE, WORDS } from './words.ts';
 
 export interface Notice {
   readonly text: string;
@@ -65,13 +67,13 @@ export interface Notice {
   readonly actions: readonly { readonly label: string; run(): void }[];
 }
 
-export const TOOLS = { draw: idle, select: selecting } as const;
+export const TOOLS = { draw: idle, section: sectioning, select: selecting } as const;
 /** ms: what takes less is done before one asks */
 const PATIENCE = 500;
 /** ms: a pen or a slider that is still for so long rests, and what is shown is made finely */
 const REST = 150;
 /** Commands that make another form of the unfinished strokes. */
-const FORMING = ['addStroke', 'setTubesOnly', 'setForm'];
+const FORMING = ['addStroke', 'setTubesOnly', 'setForm', 'addSection', 'removeSection', 'setStroke'];
 
 export type ToolName = keyof typeof TOOLS;
 
@@ -131,6 +133,10 @@ export class Session implements Bench, Viewport {
     isRough: false,
   };
   readonly #timing = new Timing();
+  /** where the pen is over the picture */
+  #hovering: Pen | null = null;
+  /** the card of the Section tool was closed */
+  acrossAway = false;
   /** ms, while what the pen drew is taken in */
   #lifted: number | null = null;
   readonly frames: Frames;
@@ -222,6 +228,7 @@ export class Session implements Bench, Viewport {
     if (commands.some(({ type }) => type === 'load')) this.bodies.forget();
     this.wantBodies();
     this.select(this.selection);
+    this.hoverAgain();
     this.#hooks.committed(commands, cause);
   }
 
@@ -402,7 +409,16 @@ export class Session implements Bench, Viewport {
     this.tool = tool;
     this.state = TOOLS[tool];
     if (tool === 'draw') this.select([]);
+    if (tool === 'section') this.#takeSection();
     this.update();
+  }
+
+  /** What there is to be drawn across, or what is missing. */
+  #takeSection(): void {
+    this.acrossAway = false;
+    const across = acrossOf(this);
+    this.said = typeof across === 'string' ? SECTION_WORDS.notAcross[across] : SECTION_WORDS.across;
+    if (across === 'edge-on') this.notify(across);
   }
 
   /** A command from a key or a control. A stroke under the pen is cancelled: it was begun on another document. */
@@ -414,7 +430,8 @@ export class Session implements Bench, Viewport {
   #sayPreview(): void {
     if (!readingOf(this.document)) return;
     const problem = draftProblem(this.document);
-    this.said = problem ? `${longName(this.document)}: ${problem}` : previewWords(this.document);
+    if (!problem && lacksBack(this.document)) this.said = SECTION_WORDS.nowBack;
+    else this.said = problem ? `${longName(this.document)}: ${problem}` : previewWords(this.document);
   }
 
   /** Nothing drawn is lost: what goes round something twice is filled once. */
@@ -500,10 +517,22 @@ export class Session implements Bench, Viewport {
 
   down(pen: Pen): void {
     this.#clearPassing();
+    this.#hovering = null;
     // A stroke is drawn from where one looks now: a move of the camera ends here and does not go on afterwards.
     const rig = this.scene?.rig;
     if (rig?.moving) rig.setView(rig.view(), false);
     this.#to(this.state.down?.(pen, this));
+  }
+
+  /** Without touching; null: it left. */
+  hover(pen: Pen | null): void {
+    this.#hovering = pen;
+    this.#to(this.state.hover?.(pen, this));
+  }
+
+  /** What hovers is over another document, or another view of it. */
+  hoverAgain(): void {
+    if (this.#hovering && this.state.hover) this.#to(this.state.hover(this.#hovering, this));
   }
 
   move(pens: readonly Pen[]): void {
@@ -554,7 +583,8 @@ export class Session implements Bench, Viewport {
     if (!next) return;
     const shows = ({ wet, still }: State) => Boolean(wet ?? still);
     const closes = next.wet !== undefined && next.wet.closing !== (this.state.wet?.closing ?? false);
-    const began = closes || shows(next) !== shows(this.state);
+    const began = closes || shows(next) !== shows(this.state) || hintOf(next) !== hintOf(this.state);
+    if ((next.faint ?? false) !== (this.state.faint ?? false)) this.scene?.setFaint(next.faint ?? false);
     this.state = next;
     this.#stir();
     // said once, not at every move
@@ -576,6 +606,8 @@ export class Session implements Bench, Viewport {
   notify(notice: ToolNotice, offer: readonly Command[] = []): void {
     if (notice === 'selected') this.saySelection();
     if (notice === 'too-short') this.#offerPoint(offer);
+    if (notice === 'no-sides' || notice === 'bent' || notice === 'off-sides')
+      this.said = SECTION_WORDS.notAcross[notice];
     if (notice === 'edge-on') {
       const first = this.document.draft?.strokes[0];
       const turnBack = () => first && this.scene?.rig.setView(first.view, true);
@@ -583,7 +615,7 @@ export class Session implements Bench, Viewport {
       this.notice = {
         text: WORDS.edgeOn,
         passing: true,
-        actions: [{ label: WORDS.turnBack, run: () => turnBack() }],
+        actions: first ? [{ label: WORDS.turnBack, run: () => turnBack() }] : [],
       };
     }
     this.update();
@@ -664,6 +696,7 @@ export class Session implements Bench, Viewport {
     this.frames.version++;
     scene.rig.setView(this.#lastView, false);
     scene.setLook(this.look);
+    scene.setFaint(this.state.faint ?? false);
     this.#contour();
     this.update();
   }
@@ -704,6 +737,11 @@ export class Session implements Bench, Viewport {
     return this.exact.isInPart ? WORDS.inPart(words) : words;
   }
 
+  /** What the pen would do where it is over the picture; '' where there is nothing to say. */
+  get hint(): string {
+    return hintOf(this.state);
+  }
+
   /** Whether the picture is a mesh or exact, and of what; or what is being made. */
   get seen(): string {
     if (this.making) return this.making;
@@ -725,3 +763,6 @@ export class Session implements Bench, Viewport {
     return [name, mesh, took].filter(Boolean).join(' · ');
   }
 }
+
+const hintOf = ({ guide }: State): string =>
+  guide ? SECTION_WORDS.at(Math.round(100 * guide.u), guide.side) : '';

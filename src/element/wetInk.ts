@@ -10,6 +10,7 @@ import type { Vec2, Vec3 } from '../math/vec.ts';
 import { project, toWorld } from '../stroke/plane.ts';
 import type { Stroke } from '../stroke/stroke.ts';
 import type { Band, Pen, Wet } from '../tool/tool.ts';
+import { drawMarks } from './marks.ts';
 import type { Session } from './session.ts';
 
 export interface InkColours {
@@ -52,6 +53,7 @@ export function drawInk(
     for (const i of lines.keys()) drawNumber(context, i, lines, colours);
   for (const mark of session.notice?.marks ?? []) drawMark(context, mark, session, colours);
   if (session.state.wet) drawWet(context, session.state.wet, predicted, colours);
+  if (session.state.marks) drawMarks(context, session.state.marks, session, colours);
   if (session.state.band) drawBand(context, session.state.band, colours);
 }
 

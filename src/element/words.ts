@@ -2,6 +2,7 @@
 
 import type { Part, Reading } from '../document/document.ts';
 import { PAGE } from '../field/polygonize.ts';
+import type { SurfaceKind } from '../surface/index.ts';
 
 /** What parts are called by what they are made of. */
 export const SURFACE: Readonly<Record<Part['kind'], { readonly name: string; readonly long: string }>> = {
@@ -236,9 +237,76 @@ export const STYLE_NAMES = {
 } as const;
 export type ShownStyle = keyof typeof STYLE_NAMES;
 
+/** The stroke meter. */
+export const METER_WORDS = {
+  label: 'The number of strokes decides the surface',
+  everyStroke: 'every stroke',
+  steps: {
+    tube: { number: '1', name: 'Tube' },
+    rotational: { number: '2', name: 'Rotational' },
+    crossSection: { number: '3', name: 'Section' },
+    bspline: { number: '4+', name: 'Patch' },
+  },
+  hint: (step: SurfaceKind, state: 'pinned' | 'done' | 'current' | 'next') => {
+    if (state === 'pinned') return 'Every stroke a tube. Tap to let the number decide again';
+    if (state === 'done')
+      return step === 'tube'
+        ? 'Back to tubes; no stroke is lost. Hold: every stroke a tube'
+        : 'Back to this; no stroke is lost';
+    return {
+      tube: 'A tube along the stroke. Hold: every stroke a tube',
+      rotational: state === 'next' ? 'Draw the other side to make it round' : 'Round between the two strokes',
+      crossSection:
+        state === 'next'
+          ? 'Draw across, from one side to the other (L)'
+          : 'The section that was drawn, all along',
+      bspline: state === 'next' ? 'Draw a second section (L)' : 'From section to section',
+    }[step];
+  },
+} as const;
+
+/** Sections across a form. */
+export const SECTION_WORDS = {
+  tool: 'Section',
+  title: 'Draw across',
+  text: 'From one side to the other, where the dots are. Both ends snap.',
+  across: 'Draw across – From one side to the other',
+  at: (percent: number, side: 'front' | 'back') =>
+    side === 'back' ? `Draw the back at ${percent} %` : `Draw a section at ${percent} %`,
+  nowBack: 'Now draw its back, the dashed side',
+  backText: 'The next stroke across is the back of the section there.',
+  notAcross: {
+    'no-sides': 'Draw two sides first, then across them',
+    'edge-on': 'The form’s drawing plane is seen from its edge.',
+    'off-sides': 'Start at one of the two sides',
+    bent: 'This form is bent: recreate it to draw across its strokes',
+  },
+  looks: [
+    { name: 'Full', hint: 'solid side' },
+    { name: 'Flat', hint: 'on the line' },
+    { name: 'Hollow', hint: 'dashed side' },
+  ],
+  back: 'Back',
+  backs: {
+    none: { name: 'None', hint: 'Open: what was drawn is all there is' },
+    front: { name: 'As front', hint: 'The front mirrored: a closed form' },
+    drawn: { name: 'Drawn', hint: 'A section of its own, drawn next' },
+  },
+  sections: (count: number) => (count === 1 ? '1 section' : `${count} sections`),
+  sectionAt: (percent: number) => `section at ${percent} %`,
+} as const;
+
+/** What the marks of tools say. */
+export const MARK_WORDS = {
+  label: { full: 'full', flat: 'flat', hollow: 'hollow', front: 'front', back: 'back' },
+  value: (value: number, unit: '%' | '°' | 'mm') =>
+    unit === '°' ? `${Math.round(value)}°` : `${Math.round(value)} ${unit}`,
+} as const;
+
 /** Hot keys, for tooltips and the sheet. The thesis' own where it has one. */
 export const KEYS: readonly { readonly keys: string; readonly does: string }[] = [
   { keys: 'D', does: 'Draw' },
+  { keys: 'L', does: 'Section: draw across a form' },
   { keys: 'V', does: 'Select' },
   { keys: 'N or Enter', does: 'Keep the form' },
   { keys: 'Esc', does: 'Cancel the stroke, drop the form, let go' },

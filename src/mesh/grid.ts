@@ -1,16 +1,17 @@
 /**
- * Grid meshes: rows of points around a form, each joined by quads to the row before it.
+ * Grid meshes: rows of points across a form, each joined by quads to the row before it.
  *
  * A crease or an end is not a special case but two rows at the same place: a row that is not `joined` starts
- * again from the points of the row before it with other normals. A closed grid ends with the points of its
- * first row. Such rows share their coordinates as doubles, so their float32 copies are the same bits and the
+ * again from the points of the row before it with other normals; creases along the form are two columns in one
+ * place alike. What is closed around ends with the points of its first column, a grid closed along it with those of
+ * its first row. Such copies share their coordinates as doubles, so their float32 copies are the same bits and the
  * mesh is closed by construction.
  *
  * A pole (a row of one point) keeps one vertex a column, half way between the two columns of its triangle, so
  * that a cone's apex is shaded like its flank and textures do not swirl. Triangles that collapse to an edge
  * are left out; that never opens the mesh, since such a triangle uses its edge once in each direction.
  *
- * Texture: v is the column, u the mean distance along the rows, so that nothing is stretched, caps included.
+ * Texture: v is the column's, u the mean distance along the rows, so that nothing is stretched, caps included.
  */
 
 import type { Plane } from '../math/plane.ts';
@@ -18,7 +19,7 @@ import { cross3, length3 } from '../math/tuple.ts';
 import type { Vec3 } from '../math/vec.ts';
 import type { Mesh } from './mesh.ts';
 
-/** One row: x y z for each column in the plane's coordinates (z = x × y), mm, and unit normals alike. */
+/** One row: x y z for each entry of the columns in the plane's coordinates (z = x × y), mm, and unit normals alike. */
 export interface Row {
   readonly points: Float64Array;
   readonly normals: Float64Array;
@@ -26,6 +27,8 @@ export interface Row {
   readonly pole?: boolean;
   /** quads lead here from the row before; false at a crease, without meaning in the first row */
   readonly joined: boolean;
+  /** its quads face the other way: where the form goes round in the other sense */
+  readonly flipped?: boolean;
 }
 
 /** How the entries of rows hang together. */
@@ -46,28 +49,37 @@ export function emptyMesh(): Mesh {
   };
 }
 
+/** Even columns without creases, closed or not: `count` quads. */
+export function evenColumns(count: number): Columns {
+  return {
+    vs: Array.from({ length: count + 1 }, (_, j) => j / count),
+    joined: Array.from({ length: count + 1 }, (_, j) => j > 0),
+  };
+}
+
 /**
- * The mesh of rows that are closed around their columns, placed on `plane`: columns + 1 vertices a row, the
- * last a copy of the first at v = 1. Triangles are counter-clockwise seen from the side to which
- * (along the rows) × (along the columns) points.
+ * The mesh of rows, placed on `plane`: a vertex for each entry. Triangles are counter-clockwise seen from the side to
+ * which (along the rows) × (along the columns) points, those that lead to flipped rows from the other.
  */
-export function gridMesh(rows: readonly Row[], columns: number, plane: Plane): Mesh {
-  const vertices = rows.length * (columns + 1);
+export function gridMesh(rows: readonly Row[], columns: Columns, plane: Plane): Mesh {
+  const { vs, joined } = columns;
+  const vertices = rows.length * vs.length;
   const positions = new Float32Array(3 * vertices);
   const normals = new Float32Array(3 * vertices);
   const uvs = new Float32Array(2 * vertices);
   const us = textureRows(rows, columns);
+  const poleVs = vs.map((v, j) => (joined[j + 1] ? (v + vs[j + 1]!) / 2 : v));
   const origin: Vec3 = plane.origin;
   const z = cross3(plane.x, plane.y);
   let at = 0;
   rows.forEach((row, i) => {
     const vertexNormals = row.pole ? betweenColumns(row.normals, columns) : row.normals;
-    for (let j = 0; j <= columns; j++, at++) {
-      const from = 3 * (j % columns);
-      place(positions, at, row.points, from, origin, plane, z);
-      place(normals, at, vertexNormals, from, [0, 0, 0], plane, z);
+    const rowVs = row.pole ? poleVs : vs;
+    for (let j = 0; j < vs.length; j++, at++) {
+      place(positions, at, row.points, 3 * j, origin, plane, z);
+      place(normals, at, vertexNormals, 3 * j, [0, 0, 0], plane, z);
       uvs[2 * at] = us[i]!;
-      uvs[2 * at + 1] = row.pole ? Math.min((j + 0.5) / columns, 1) : j / columns;
+      uvs[2 * at + 1] = rowVs[j]!;
     }
   });
   return { positions, normals, uvs, indices: gridIndices(rows, columns, positions) };
@@ -92,21 +104,21 @@ function place(
 }
 
 /** Normals half way between neighbouring columns, where the single triangle of a pole's column is. */
-function betweenColumns(normals: Float64Array, columns: number): Float64Array {
-  const out = new Float64Array(normals.length);
-  for (let j = 0; j < columns; j++) {
+function betweenColumns(normals: Float64Array, { joined }: Columns): Float64Array {
+  const out = normals.slice();
+  for (let j = 0; j + 1 < joined.length; j++) {
+    if (!joined[j + 1]) continue;
     const a = 3 * j;
-    const b = 3 * ((j + 1) % columns);
-    const sum = [0, 1, 2].map((k) => normals[a + k]! + normals[b + k]!);
+    const sum = [0, 1, 2].map((k) => normals[a + k]! + normals[a + 3 + k]!);
     const length = length3(sum as unknown as Vec3);
     // opposite neighbours cancel: then the column's own normal is as good as any
-    for (let k = 0; k < 3; k++) out[a + k] = length > 1e-6 ? sum[k]! / length : normals[a + k]!;
+    if (length > 1e-6) for (let k = 0; k < 3; k++) out[a + k] = sum[k]! / length;
   }
   return out;
 }
 
 /** u of every row, 0–1: the mean distance walked along the columns. */
-function textureRows(rows: readonly Row[], columns: number): number[] {
+function textureRows(rows: readonly Row[], columns: Columns): number[] {
   let walked = 0;
   const us = rows.map((row, i) => {
     const before = rows[i - 1];
@@ -116,16 +128,26 @@ function textureRows(rows: readonly Row[], columns: number): number[] {
   return us.map((u) => (walked > 0 ? u / walked : 0));
 }
 
-function meanDistance(a: Float64Array, b: Float64Array, columns: number): number {
+/** Over the middles of quads: columns in one place count once. */
+function meanDistance(a: Float64Array, b: Float64Array, { joined }: Columns): number {
   let sum = 0;
-  for (let k = 0; k < 3 * columns; k += 3) {
-    sum += length3([a[k]! - b[k]!, a[k + 1]! - b[k + 1]!, a[k + 2]! - b[k + 2]!]);
+  let quads = 0;
+  let before = 0;
+  for (let j = 0; j < joined.length; j++) {
+    const k = 3 * j;
+    const way = length3([a[k]! - b[k]!, a[k + 1]! - b[k + 1]!, a[k + 2]! - b[k + 2]!]);
+    if (joined[j]) {
+      sum += (before + way) / 2;
+      quads++;
+    }
+    before = way;
   }
-  return sum / columns;
+  return quads > 0 ? sum / quads : 0;
 }
 
-function gridIndices(rows: readonly Row[], columns: number, positions: Float32Array): Uint32Array {
-  const indices = new Uint32Array(6 * columns * Math.max(rows.length - 1, 0));
+function gridIndices(rows: readonly Row[], { joined }: Columns, positions: Float32Array): Uint32Array {
+  const entries = joined.length;
+  const indices = new Uint32Array(6 * Math.max(entries - 1, 0) * Math.max(rows.length - 1, 0));
   let count = 0;
   const add = (a: number, b: number, c: number): void => {
     if (same(positions, a, b) || same(positions, b, c) || same(positions, c, a)) return;
@@ -134,14 +156,21 @@ function gridIndices(rows: readonly Row[], columns: number, positions: Float32Ar
     indices[count++] = c;
   };
   for (let i = 1; i < rows.length; i++) {
-    if (!rows[i]!.joined) continue;
-    for (let j = 0; j < columns; j++) {
-      const a = (i - 1) * (columns + 1) + j;
+    const { joined: leads, flipped } = rows[i]!;
+    if (!leads) continue;
+    for (let j = 0; j + 1 < entries; j++) {
+      if (!joined[j + 1]) continue;
+      const a = (i - 1) * entries + j;
       // a pole's triangle takes the vertex of its own column
       const b = rows[i - 1]!.pole ? a : a + 1;
-      const c = a + columns + 1;
-      add(a, c, b);
-      add(b, c, c + 1);
+      const c = a + entries;
+      if (flipped) {
+        add(a, b, c);
+        add(b, c + 1, c);
+      } else {
+        add(a, c, b);
+        add(b, c, c + 1);
+      }
     }
   }
   return indices.slice(0, count);

@@ -50,6 +50,8 @@ export interface Scene {
    */
   sync(items: readonly SceneItem[]): void;
   setLook(look: Look): void;
+  /** Forms not yet kept step back behind a guide. */
+  setFaint(on: boolean): void;
   /** Lines over the picture on the screen, six numbers each, mm; compared by reference. Null: none. */
   guide(ends: Float32Array | null): void;
   /** CSS pixels, and device pixels a CSS pixel */
@@ -151,6 +153,7 @@ function makeScene(made: SceneRenderer, options: SceneOptions): Scene {
       if (pipeline.parts.sync(items)) rig.setBounds(pipeline.parts.ball);
     },
     setLook: (look) => pipeline.setLook(look),
+    setFaint: (on) => pipeline.setFaint(on),
     guide: (ends) => pipeline.guide(ends),
     resize(newWidth, newHeight, devicePixelRatio) {
       width = newWidth;

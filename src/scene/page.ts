@@ -7,6 +7,9 @@ import { type Node, NodeMaterial, type Texture, Vector2, Vector3 } from 'three/w
 import { TILE } from './paper.ts';
 import { contourCoverage, type SelectionUniforms } from './selection.ts';
 
+/** Opacity of forms not yet kept; behind a guide they step back. */
+export const PREVIEW = { opacity: 0.86, faint: 0.3 } as const;
+
 export class PageUniforms {
   readonly paper = uniform(new Vector3());
   readonly line = uniform(new Vector3());
@@ -18,6 +21,8 @@ export class PageUniforms {
   readonly tent = uniform(new Vector2());
   /** 1 when this frame has lines */
   readonly lined = uniform(0);
+  /** of forms not yet kept */
+  readonly preview = uniform(PREVIEW.opacity);
 }
 
 export interface PageTextures {

@@ -47,7 +47,7 @@ import {
   pencilColour,
 } from './look.ts';
 import { Materials } from './materials.ts';
-import { PageUniforms } from './page.ts';
+import { PageUniforms, PREVIEW } from './page.ts';
 import { GRAIN, makeGrain } from './paper.ts';
 import { type Fill, Parts } from './part.ts';
 import { Refinement } from './refinement.ts';
@@ -161,6 +161,11 @@ export class Pipeline {
     this.parts.setFill(this.#fill(look.style));
     this.parts.setWireframe(look.wireframe);
     this.#scaleLines();
+  }
+
+  setFaint(on: boolean): void {
+    this.#page.preview.value = on ? PREVIEW.faint : PREVIEW.opacity;
+    this.#forget();
   }
 
   /** Lines over the picture, six numbers each, mm; null: none. */

@@ -10,7 +10,6 @@ import { type PageUniforms, smoothCoverage } from './page.ts';
 import { triangles } from './surface.ts';
 import { toonOf } from './toon.ts';
 
-const OPACITY = 0.86;
 /** How much nearer a line must be than the form, in parts of the scene's depth; 8 bits keep 1/255. */
 const NEARER = 0.01;
 
@@ -19,7 +18,7 @@ export function previewMaterial(edges: Texture, lines: LineUniforms, page: PageU
   const line = smoothCoverage(edges, page).toVar();
   const lineDepth = float(1).sub(line.y.div(line.x.max(1e-3)));
   const before = lineDepth.lessThan(sceneDepth(surface, lines).sub(NEARER)).select(line.x, 0);
-  const opacity = before.mul(page.lined).oneMinus().mul(OPACITY);
+  const opacity = before.mul(page.lined).oneMinus().mul(page.preview);
   const material = surface.material('preview', () => vec4(toonOf(surface).mul(opacity), opacity));
   // after the depth of all forms, and without writing it again
   material.transparent = true;

@@ -6,6 +6,7 @@ import { atan2, cos, PI, sin } from '../math/trig.ts';
 import { add3, scale3 } from '../math/tuple.ts';
 import type { Vec3 } from '../math/vec.ts';
 import type { Row } from '../mesh/grid.ts';
+import type { RowAt, SheetRow } from './sheet.ts';
 
 /** The rim once more with the disc's unit normal, then the disc's centre. */
 export function disc(rim: Row, centre: Vec3, normal: Vec3): Row[] {
@@ -56,6 +57,11 @@ export function dome(end: End, radial: readonly Vec3[], quads: number): Row[] {
 export function outsideIn(rows: readonly Row[]): { cap: Row[]; joinsSurface: boolean } {
   const cap = rows.map((row, i) => ({ ...row, joined: rows[i + 1]?.joined ?? false })).reverse();
   return { cap, joinsSurface: rows[0]?.joined ?? false };
+}
+
+/** Rows of a cap as part of a sheet: bends move them stiffly with their end. */
+export function rigid(rows: readonly Row[], { u, side }: RowAt): SheetRow[] {
+  return rows.map((row) => ({ ...row, at: { u, side, rigid: true } }));
 }
 
 function fill(length: number, vector: (column: number) => Vec3): Float64Array {

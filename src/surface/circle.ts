@@ -13,6 +13,12 @@ export function unitCircle(columns: number): Circle {
   });
 }
 
+/** With the first once more at the end, as rows of the grid have it. */
+export function closedCircle(columns: number): Circle {
+  const circle = unitCircle(columns);
+  return [...circle, circle[0]!];
+}
+
 const QUARTERS: Circle = [
   [1, 0],
   [0, 1],

@@ -13,6 +13,7 @@ import type { Vec2 } from '../math/vec.ts';
 import type { Curve } from '../stroke/curve.ts';
 import { align } from './align.ts';
 import { type Anchor, matchSides } from './match.ts';
+import { pieceAt } from './rows.ts';
 import { ON_CORNER, type Side } from './side.ts';
 
 /** Both sides at one u, mm on the plane, with their derivatives by u. */
@@ -91,7 +92,7 @@ function stretch(l: Side, r: Side, anchors: readonly Anchor[]): Stretch {
 }
 
 function sectionAt(l: Side, r: Side, { anchors, us }: Stretch, u: number, side: -1 | 1): Section {
-  const k = pieceOf(us, u, side);
+  const k = pieceAt(us, u, side);
   const span = us[k + 1]! - us[k]!;
   const from = anchors[k]!;
   const to = anchors[k + 1]!;
@@ -104,15 +105,6 @@ function sectionAt(l: Side, r: Side, { anchors, us }: Stretch, u: number, side: 
     dLeft: scale2(l.derivative(a, side), (to.a - from.a) / span),
     dRight: scale2(r.derivative(b, side), (to.b - from.b) / span),
   };
-}
-
-/** The piece that holds u; at an anchor the one before or after it. */
-function pieceOf(us: readonly number[], u: number, side: -1 | 1): number {
-  const last = us.length - 2;
-  for (let k = 0; k < last; k++) {
-    if (side === 1 ? u < us[k + 1]! - ON_CORNER : u < us[k + 1]! + ON_CORNER) return k;
-  }
-  return last;
 }
 
 /** Anchors, and the corners that found no match. */

@@ -11,15 +11,17 @@
  * Where circles are wider than the bend they follow, the surface overlaps itself; it stays closed.
  */
 import { cross2, length2 } from '../math/tuple.ts';
-import { emptyMesh, gridMesh, type Row } from '../mesh/grid.ts';
+import { emptyMesh, evenColumns, gridMesh, type Row } from '../mesh/grid.ts';
 import type { Mesh } from '../mesh/mesh.ts';
 import type { Curve } from '../stroke/curve.ts';
 import type { Plane } from '../stroke/stroke.ts';
-import { disc, outsideIn } from './caps.ts';
-import { type Circle, unitCircle } from './circle.ts';
+import { disc, outsideIn, rigid } from './caps.ts';
+import { type Circle, closedCircle } from './circle.ts';
 import { type Pair, pairCurves } from './pair.ts';
 import { type Ring, ringAt, ringNormals, ringPoints, type Sense } from './ring.ts';
 import { pieces, quadCount } from './rows.ts';
+import type { Sheet, SheetRow } from './sheet.ts';
+import { pairSpine } from './spine.ts';
 
 export interface RotationalOptions {
   /** discs close open ends */
@@ -50,16 +52,26 @@ const FLAT = 1e-9;
  * the strokes lie on each other or have no length. Throws RangeError when u or v is not finite.
  */
 export function rotational(left: Curve, right: Curve, plane: Plane, options: RotationalOptions): Mesh {
+  const sheet = rotationalSheet(left, right, options);
+  const mesh = sheet ? gridMesh(sheet.rows, sheet.columns, plane) : emptyMesh();
+  return mesh.indices.length > 0 ? mesh : emptyMesh();
+}
+
+/** The same before it is a mesh; null when the strokes enclose nothing. */
+export function rotationalSheet(left: Curve, right: Curve, options: RotationalOptions): Sheet | null {
   const u = quadCount('u', options.u, 1);
   const v = quadCount('v', options.v, 3);
   const pair = pairCurves(left, right);
-  if (!(pair.length > 0)) return emptyMesh();
-  const circle = unitCircle(v);
+  if (!(pair.length > 0)) return null;
+  const circle = closedCircle(v);
   const found = lobes(pair, u);
-  if (found.length === 0) return emptyMesh();
+  if (found.length === 0) return null;
   const rows = found.flatMap((lobe) => lobeRows(lobe, circle));
-  const mesh = gridMesh(finish(rows, found, pair, options.caps), v, plane);
-  return mesh.indices.length > 0 ? mesh : emptyMesh();
+  return {
+    rows: finish(rows, found, pair, options.caps),
+    columns: evenColumns(v),
+    spine: pairSpine(pair),
+  };
 }
 
 /** Stretches from pole to pole; none when all circles lie in one plane (strokes on one line). */
@@ -99,19 +111,20 @@ function sweep(stretches: readonly Stretch[], f: (ring: Ring) => number): number
   return sum;
 }
 
-function lobeRows({ stretches, sense }: Lobe, circle: Circle): Row[] {
-  return stretches.flatMap(({ rings }) =>
+function lobeRows({ stretches, sense }: Lobe, circle: Circle): SheetRow[] {
+  return stretches.flatMap(({ us, rings }) =>
     rings.map((ring, k) => ({
       points: ringPoints(ring, sense, circle),
       normals: ringNormals(ring, sense, circle),
       pole: ring.radius === 0,
       joined: k > 0,
+      at: { u: us[k]!, side: k === rings.length - 1 ? -1 : 1 },
     })),
   );
 }
 
 /** Ends what is open: a closed pair in its first row, an open one in discs. */
-function finish(rows: readonly Row[], found: readonly Lobe[], pair: Pair, caps: boolean): Row[] {
+function finish(rows: readonly SheetRow[], found: readonly Lobe[], pair: Pair, caps: boolean): SheetRow[] {
   const first = rows[0]!;
   const last = rows[rows.length - 1]!;
   if (pair.closed) return [...rows.slice(0, -1), { ...last, points: first.points }];
@@ -119,7 +132,8 @@ function finish(rows: readonly Row[], found: readonly Lobe[], pair: Pair, caps: 
   const head = found[0]!;
   const tail = found[found.length - 1]!;
   const { cap } = outsideIn(endDisc(head.stretches[0]!.rings[0]!, first, -head.sense));
-  return [...cap, ...rows, ...endDisc(tail.stretches.at(-1)!.rings.at(-1)!, last, tail.sense)];
+  const end = endDisc(tail.stretches.at(-1)!.rings.at(-1)!, last, tail.sense);
+  return [...rigid(cap, first.at), ...rows, ...rigid(end, last.at)];
 }
 
 /** A disc whose normal is along ± n × x′; poles need none. */

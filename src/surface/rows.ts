@@ -2,6 +2,7 @@
  * How rows are shared out along u: stops are always rows, and between them rows are even in u, that is by arc
  * length, about as many in all as were asked for.
  */
+import { ON_CORNER } from './side.ts';
 
 /** Rows of one smooth piece: ascending u, the first and the last on its stops. */
 export type Piece = readonly number[];
@@ -26,6 +27,15 @@ export function pieces(
       k === count ? end : start + ((end - start) * k) / count,
     );
   });
+}
+
+/** The piece between stops that holds u; at a stop the one before (−1) or after (1) it. */
+export function pieceAt(stops: readonly number[], u: number, side: -1 | 1): number {
+  const last = stops.length - 2;
+  for (let k = 0; k < last; k++) {
+    if (side === 1 ? u < stops[k + 1]! - ON_CORNER : u < stops[k + 1]! + ON_CORNER) return k;
+  }
+  return last;
 }
 
 /** A number of quads, rounded and at least `least`. Throws RangeError when it is no number. */

@@ -14,6 +14,7 @@ import { cross2, dot2 } from '../math/tuple.ts';
 import type { Vec2 } from '../math/vec.ts';
 import type { Curve } from '../stroke/curve.ts';
 import { pieces } from './rows.ts';
+import type { RowAt } from './sheet.ts';
 
 export interface Slice {
   readonly point: Vec2;
@@ -29,6 +30,7 @@ export interface Slice {
   readonly slide: number;
   /** false after a crease */
   readonly joined: boolean;
+  readonly at: RowAt;
 }
 
 /** a full turn's worth of rows, over all ball joints of a tube */
@@ -49,24 +51,47 @@ const SLIDE_OVER = 2;
  * last slice is its first again. `around`: quads of a full turn, for ball joints.
  */
 export function slices(curve: Curve, radius: Radius, quads: number, around: number): Slice[] {
+  const stops = stopsOf(curve);
+  const least = curve.closed ? Math.ceil(3 / (stops.length - 1)) : 1;
+  const turns = turnsAt(curve, stops);
+  const joint = jointQuads(turns, around);
+  const found = pieces(stops, quads, () => least).flatMap((us, i) => {
+    const leg: Leg = { first: us[0]!, last: us[us.length - 1]!, turns: [turns[i]!, turns[i + 1]!] };
+    const row = us.map((u, k) => sliceAt(curve, radius, leg, u, k > 0, k < us.length - 1));
+    return [...row, ...ballJoint(row[row.length - 1]!, turns[i + 1]!, joint)];
+  });
+  const ballAtSeam = curve.closed && isBall(turns[0]!);
+  return ballAtSeam ? [...found, { ...found[0]!, joined: true }] : found;
+}
+
+/** Ends and corners; a closed stroke begins at its first corner and ends there, a whole turn on. */
+export function stopsOf(curve: Curve): number[] {
   const start = curve.closed ? (curve.corners[0] ?? 0) : 0;
   const inner = curve.corners.filter((corner) => corner > start && corner < start + 1);
-  const stops = [start, ...inner, start + 1];
-  const least = curve.closed ? Math.ceil(3 / (stops.length - 1)) : 1;
-  const turns = stops.map((u, i) => {
+  return [start, ...inner, start + 1];
+}
+
+/** u of a surface, which begins where its first stop is, at u of its stroke. */
+function fromStart(curve: Curve, u: number): number {
+  return curve.closed ? u - (curve.corners[0] ?? 0) : u;
+}
+
+/** By what angle the stroke turns at each stop; 0 at ends. */
+export function turnsAt(curve: Curve, stops: readonly number[]): number[] {
+  return stops.map((u, i) => {
     const end = i === 0 || i === stops.length - 1;
     return end && !(curve.closed && curve.corners.length > 0) ? 0 : turnAt(curve, u);
   });
-  // A hatch has hundreds of sharp turns: they share the rows of their ball joints.
-  const sharp = turns.filter((turn) => Math.abs(turn) > SHARPEST_MITRE).length;
-  const joint = Math.max(4, Math.min(around, Math.floor(JOINT_ROWS / Math.max(1, sharp))));
-  const found = pieces(stops, quads, () => least).flatMap((us, i) => {
-    const row = us.map((_, k) => sliceAt(curve, radius, us, k, [turns[i]!, turns[i + 1]!]));
-    return [...row, ...ballJoint(row[row.length - 1]!, turns[i + 1]!, joint)];
-  });
-  const ballAtSeam = curve.closed && Math.abs(turns[0]!) > SHARPEST_MITRE;
-  return ballAtSeam ? [...found, { ...found[0]!, joined: true }] : found;
 }
+
+/** Rows of a full turn of a ball joint: a hatch has hundreds of sharp turns, which share what there is. */
+export function jointQuads(turns: readonly number[], around: number): number {
+  const sharp = turns.filter(isBall).length;
+  return Math.max(4, Math.min(around, Math.floor(JOINT_ROWS / Math.max(1, sharp))));
+}
+
+/** Too sharp a turn for a mitre. */
+export const isBall = (turn: number): boolean => Math.abs(turn) > SHARPEST_MITRE;
 
 /** The angle from the arriving to the leaving tangent, −π … π, positive to the left. */
 function turnAt(curve: Curve, u: number): number {
@@ -75,17 +100,27 @@ function turnAt(curve: Curve, u: number): number {
   return atan2(cross2(before, after), dot2(before, after));
 }
 
-function sliceAt(
+/** What lies between two stops. */
+export interface Leg {
+  readonly first: number;
+  readonly last: number;
+  /** at both, radians */
+  readonly turns: readonly [number, number];
+}
+
+/** The slice at u; `begun`, `goesOn`: it is not the leg's first, not its last. */
+export function sliceAt(
   curve: Curve,
   radius: Radius,
-  us: readonly number[],
-  k: number,
-  [turnBefore, turnAfter]: readonly [number, number],
+  { first, last, turns }: Leg,
+  u: number,
+  begun: boolean,
+  goesOn: boolean,
 ): Slice {
-  const [first, u, last] = [us[0]!, us[k]!, us[us.length - 1]!];
+  const [turnBefore, turnAfter] = turns;
   const size = radius(u);
   const slideFrom = (turn: number, away: number): number => {
-    if (turn === 0 || Math.abs(turn) > SHARPEST_MITRE) return 0;
+    if (turn === 0 || isBall(turn)) return 0;
     const slope = sin(turn / 2) / cos(turn / 2);
     // legs share their piece when it is short
     const over = Math.min(SLIDE_OVER * size * Math.abs(slope), (curve.length * (last - first)) / 2);
@@ -94,24 +129,26 @@ function sliceAt(
   const flare = slopeIn(radius, first, u, last) / (curve.length || 1);
   return {
     point: curve.point(u),
-    tangent: tangentAt(curve, u, k === us.length - 1 ? -1 : 1),
+    tangent: tangentAt(curve, u, goesOn ? 1 : -1),
     radius: size,
     flare,
     bend: flare === 0 ? 0 : bendIn(curve, first, u, last),
     slide: slideFrom(turnBefore, u - first) - slideFrom(turnAfter, last - u),
-    joined: k > 0 || Math.abs(turnBefore) > SHARPEST_MITRE,
+    joined: begun || isBall(turnBefore),
+    at: { u: fromStart(curve, u), side: goesOn ? 1 : -1 },
   };
 }
 
 /** Rings that turn about a corner too sharp for a mitre, without those of the two legs. */
-function ballJoint(arriving: Slice, turn: number, around: number): Slice[] {
-  if (Math.abs(turn) <= SHARPEST_MITRE) return [];
+export function ballJoint(arriving: Slice, turn: number, around: number): Slice[] {
+  if (!isBall(turn)) return [];
   const steps = Math.max(Math.ceil((Math.abs(turn) / TAU) * around), 2);
   const [x, y] = arriving.tangent;
   return Array.from({ length: steps - 1 }, (_, i) => {
     const angle = (turn * (i + 1)) / steps;
     const tangent: Vec2 = [x * cos(angle) - y * sin(angle), x * sin(angle) + y * cos(angle)];
-    return { ...arriving, tangent, flare: 0, bend: 0, slide: 0, joined: true };
+    const at: RowAt = { u: arriving.at.u, side: 2 * i < steps - 1 ? -1 : 1, rigid: true };
+    return { ...arriving, tangent, flare: 0, bend: 0, slide: 0, joined: true, at };
   });
 }
 
@@ -122,7 +159,8 @@ function slopeIn(f: (u: number) => number, first: number, u: number, last: numbe
   return to > from ? (f(to) - f(from)) / (to - from) : 0;
 }
 
-function bendIn(curve: Curve, first: number, u: number, last: number): number {
+/** Signed curvature per mm, inside a piece. */
+export function bendIn(curve: Curve, first: number, u: number, last: number): number {
   const from = Math.max(u - STEP, first);
   const to = Math.min(u + STEP, last);
   const before = tangentAt(curve, from, 1);
@@ -132,7 +170,7 @@ function bendIn(curve: Curve, first: number, u: number, last: number): number {
 }
 
 /** The unit tangent; a dot has none, and points to the right. */
-function tangentAt(curve: Curve, u: number, side: -1 | 1): Vec2 {
+export function tangentAt(curve: Curve, u: number, side: -1 | 1): Vec2 {
   const tangent = curve.tangent(u, side);
   return dot2(tangent, tangent) > 0.5 ? tangent : [1, 0];
 }

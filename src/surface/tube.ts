@@ -12,15 +12,17 @@
  */
 import { add3, length2, scale3 } from '../math/tuple.ts';
 import type { Vec2, Vec3 } from '../math/vec.ts';
-import { emptyMesh, gridMesh, type Row } from '../mesh/grid.ts';
+import { emptyMesh, evenColumns, gridMesh, type Row } from '../mesh/grid.ts';
 import type { Mesh } from '../mesh/mesh.ts';
 import type { Curve } from '../stroke/curve.ts';
 import type { Plane } from '../stroke/stroke.ts';
-import { disc, dome, outsideIn } from './caps.ts';
-import { type Circle, unitCircle } from './circle.ts';
+import { disc, dome, outsideIn, rigid } from './caps.ts';
+import { type Circle, closedCircle } from './circle.ts';
 import { type Frame, rotationMinimizingFrames } from './frames.ts';
 import { quadCount } from './rows.ts';
+import type { Sheet, SheetRow } from './sheet.ts';
 import { type Slice, slices } from './slices.ts';
+import { strokeSpine } from './spine.ts';
 
 export interface TubeOptions {
   /** mm, above 0 */
@@ -37,7 +39,7 @@ export interface TubeOptions {
 /** a steeper widening than this (27°) is not continued by a dome: that would be a ball on a spike */
 const STEEPEST_DOME = 0.5;
 /** the part of the length by which the surface's speed may shrink inside a bend before normals stop following */
-const LEAST_SPEED = 0.1;
+export const LEAST_SPEED = 0.1;
 /** away from the person who drew, in the plane's coordinates */
 const BEHIND: Vec3 = [0, 0, -1];
 
@@ -47,32 +49,47 @@ const BEHIND: Vec3 = [0, 0, -1];
  * for u or v that are not finite.
  */
 export function tube(curve: Curve, plane: Plane, options: TubeOptions): Mesh {
-  if (!(options.radius > 0 && options.radius < Infinity)) {
-    throw new RangeError(`surface: radius must be a length above 0 mm, got ${options.radius}`);
-  }
+  const sheet = tubeSheet(curve, options);
+  return sheet ? gridMesh(sheet.rows, sheet.columns, plane) : emptyMesh();
+}
+
+/** The same before it is a mesh; null for a dot that round caps do not make a ball of. */
+export function tubeSheet(curve: Curve, options: TubeOptions): Sheet | null {
   const u = quadCount('u', options.u, 1);
   const v = quadCount('v', options.v, 3);
-  if (!(curve.length > 0) && (curve.closed || options.caps !== 'round')) return emptyMesh();
-  const circle = unitCircle(v);
-  const along = slices(curve, radiusOf(curve, options), u, v).map(flattenEnds(curve.closed));
+  const radius = radiusOf(curve, options);
+  if (!(curve.length > 0) && (curve.closed || options.caps !== 'round')) return null;
+  const circle = closedCircle(v);
+  const along = slices(curve, radius, u, v).map(flattenEnds(curve.closed));
   const radials = framesOf(along, curve.closed).map((frame) => radialsOf(frame, circle));
   const rows = along.map((slice, i) => sliceRow(slice, radials[i]!, circle));
   shareCreases(rows, curve.closed);
-  return gridMesh(curve.closed ? rows : capped(rows, along, radials, options), v, plane);
+  return {
+    rows: curve.closed ? rows : capped(rows, along, radials, options),
+    columns: evenColumns(v),
+    spine: strokeSpine(curve),
+  };
 }
 
-/** The radius at u, mm. */
-function radiusOf(curve: Curve, { radius, pressure }: TubeOptions): (u: number) => number {
+/** The radius at u, mm. Throws RangeError for one that is not above 0. */
+export function radiusOf(
+  curve: Curve,
+  { radius, pressure }: Pick<TubeOptions, 'radius' | 'pressure'>,
+): (u: number) => number {
+  if (!(radius > 0 && radius < Infinity)) {
+    throw new RangeError(`surface: radius must be a length above 0 mm, got ${radius}`);
+  }
   if (!pressure) return () => radius;
   return (u) => radius * (0.2 + 1.6 * Math.min(Math.max(curve.pressure(u), 0), 1));
 }
 
-/** At open ends the widening is what a dome can continue, so that normals run through. */
 function flattenEnds(closed: boolean): (slice: Slice, i: number, all: readonly Slice[]) => Slice {
-  return (slice, i, all) => {
-    if (closed || (i > 0 && i < all.length - 1)) return slice;
-    return { ...slice, flare: Math.min(Math.max(slice.flare, -STEEPEST_DOME), STEEPEST_DOME), bend: 0 };
-  };
+  return (slice, i, all) => (closed || (i > 0 && i < all.length - 1) ? slice : flattened(slice));
+}
+
+/** At open ends the widening is what a dome can continue, so that normals run through. */
+export function flattened(slice: Slice): Slice {
+  return { ...slice, flare: Math.min(Math.max(slice.flare, -STEEPEST_DOME), STEEPEST_DOME), bend: 0 };
 }
 
 /** Frames whose binormal is the left of the stroke. */
@@ -87,7 +104,7 @@ function radialsOf({ normal, binormal }: Frame, circle: Circle): Vec3[] {
 }
 
 /** The normal is across (1 − r κ cos v) e − r′ t: perpendicular to both derivatives of the surface. */
-function sliceRow(slice: Slice, radial: readonly Vec3[], circle: Circle): Row {
+function sliceRow(slice: Slice, radial: readonly Vec3[], circle: Circle): SheetRow {
   const { radius, flare, bend, slide } = slice;
   const centre = lift(slice.point);
   const tangent = lift(slice.tangent);
@@ -100,11 +117,11 @@ function sliceRow(slice: Slice, radial: readonly Vec3[], circle: Circle): Row {
     points.set(add3(add3(centre, scale3(e, radius)), scale3(tangent, slide * left)), 3 * j);
     normals.set(add3(scale3(e, speed / length), scale3(tangent, -flare / length)), 3 * j);
   });
-  return { points, normals, joined: slice.joined };
+  return { points, normals, joined: slice.joined, at: slice.at };
 }
 
 /** Rows in one place get the same points to the last bit. */
-function shareCreases(rows: Row[], closed: boolean): void {
+function shareCreases(rows: SheetRow[], closed: boolean): void {
   for (let i = 1; i < rows.length; i++) {
     if (!rows[i]!.joined) rows[i] = { ...rows[i]!, points: rows[i - 1]!.points };
   }
@@ -112,11 +129,11 @@ function shareCreases(rows: Row[], closed: boolean): void {
 }
 
 function capped(
-  rows: readonly Row[],
+  rows: readonly SheetRow[],
   along: readonly Slice[],
   radials: readonly (readonly Vec3[])[],
   { caps, v }: TubeOptions,
-): Row[] {
+): SheetRow[] {
   if (caps === 'none') return [...rows];
   const end = (i: number, out: 1 | -1): Row[] => {
     const { point, tangent, radius, flare } = along[i]!;
@@ -127,7 +144,13 @@ function capped(
   };
   const { cap, joinsSurface } = outsideIn(end(0, -1));
   const [first, ...others] = rows;
-  return [...cap, { ...first!, joined: joinsSurface }, ...others, ...end(rows.length - 1, 1)];
+  const last = rows.length - 1;
+  return [
+    ...rigid(cap, first!.at),
+    { ...first!, joined: joinsSurface },
+    ...others,
+    ...rigid(end(last, 1), rows[last]!.at),
+  ];
 }
 
 function lift(p: Vec2): Vec3 {

@@ -12,8 +12,9 @@ import { type Document, isSolid, type Joins, readingOf } from '../document/docum
 import { partsWithDraft } from '../document/draftPart.ts';
 import { LIMITS } from '../document/limits.ts';
 import { length2 } from '../math/tuple.ts';
-import { facingPlane, onPlane, rayAt } from '../stroke/plane.ts';
-import { isInReach, type Plane, type Sample, type Stroke, type View } from '../stroke/stroke.ts';
+import { facingPlane } from '../stroke/plane.ts';
+import type { Plane, Stroke, View } from '../stroke/stroke.ts';
+import { isEdgeOn, strokeOn } from './penStroke.ts';
 import type { Bench, Pen, State } from './tool.ts';
 import type { Hit } from './viewport.ts';
 
@@ -21,8 +22,6 @@ import type { Hit } from './viewport.ts';
 const MINIMUM = 12;
 /** Pixels, or this share of the length, whichever is more: near enough to the start to close. */
 const CLOSING = { pixels: 24, share: 0.04, least: 4 } as const;
-/** Cosine between line of sight and plane normal below which strokes would stretch over five times. */
-const EDGE_ON = 0.2;
 
 export const idle: State = {
   name: 'draw.idle',
@@ -129,38 +128,15 @@ function joinsAt(document: Document, { id, skel }: Hit): Joins | null {
   return solid && component ? { solid: solid.id, component: component.id } : null;
 }
 
-function isEdgeOn(plane: Plane, view: View): boolean {
-  const facing = facingPlane(view, plane.origin);
-  const normal = (p: Plane) => [
-    p.x[1] * p.y[2] - p.x[2] * p.y[1],
-    p.x[2] * p.y[0] - p.x[0] * p.y[2],
-    p.x[0] * p.y[1] - p.x[1] * p.y[0],
-  ];
-  const a = normal(plane);
-  const cosine = normal(facing).reduce((sum, value, i) => sum + value * (a[i] ?? 0), 0);
-  return Math.abs(cosine) < EDGE_ON;
-}
-
 /** On the plane of the unfinished form when it becomes a part of that, or else on its own; null: it lies nowhere. */
 function strokeOf(drawn: Drawn, bench: Bench): Stroke | null {
   const { shared, own } = drawn.ground;
-  const joining = shared && strokeOn(shared, drawn, bench);
-  return joining && joinsDraft(bench.document, joining) ? joining : strokeOn(own, drawn, bench);
+  const joining = shared && onThe(shared, drawn, bench);
+  return joining && joinsDraft(bench.document, joining) ? joining : onThe(own, drawn, bench);
 }
 
-function strokeOn(plane: Plane, drawn: Drawn, { viewport }: Bench): Stroke | null {
-  const { pens, view } = drawn;
-  const start = pens[0]?.time ?? 0;
-  const samples: Sample[] = [];
-  for (const pen of pens) {
-    const p = onPlane(rayAt(view, viewport.size, pen.x, pen.y), plane);
-    if (!p || !isInReach(p)) continue;
-    const { pressure, tiltX, tiltY } = pen;
-    samples.push({ x: p[0], y: p[1], pressure, tiltX, tiltY, time: pen.time - start });
-  }
-  if (samples.length < 2 || !isInReach(plane.origin)) return null;
-  return { samples, plane, view, pointer: pens[0]?.pointer ?? 'mouse', closed: isClosing(drawn) };
-}
+const onThe = (plane: Plane, drawn: Drawn, { viewport }: Bench): Stroke | null =>
+  strokeOn(plane, drawn.pens, drawn.view, viewport.size, isClosing(drawn));
 
 /** What a finished stroke does to a document: it joins the unfinished form, or keeps that and begins the next, maybe of the solid it starts on. */
 export function plan(document: Document, stroke: Stroke, joins: Joins | null = null): readonly Command[] {
@@ -170,7 +146,7 @@ export function plan(document: Document, stroke: Stroke, joins: Joins | null = n
 
 /** What a tap would do if a point was meant. */
 function pointPlan(drawn: Drawn, bench: Bench): readonly Command[] {
-  const stroke = strokeOn(drawn.ground.own, drawn, bench);
+  const stroke = onThe(drawn.ground.own, drawn, bench);
   return stroke ? beginning(bench.document, { ...stroke, closed: false }, drawn.ground.joins, 'point') : [];
 }
 

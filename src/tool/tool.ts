@@ -7,6 +7,7 @@ import type { Document } from '../document/document.ts';
 import type { Placement } from '../math/placement.ts';
 import type { MedialGraph } from '../skeleton/medial/axis.ts';
 import type { Stroke } from '../stroke/stroke.ts';
+import type { Mark } from './marks.ts';
 import type { Hit, Viewport } from './viewport.ts';
 
 /** One report of the pointer. */
@@ -25,7 +26,7 @@ export interface Pen {
 }
 
 /** What a tool has to tell; the words are the interface's. */
-export type Notice = 'too-short' | 'edge-on' | 'selected';
+export type Notice = 'too-short' | 'edge-on' | 'selected' | 'no-sides' | 'off-sides' | 'bent';
 
 /** What a tool sees and may ask for. */
 export interface Bench {
@@ -74,10 +75,18 @@ export interface State {
   readonly carried?: Carried;
   /** as it is under the pen, before it is anybody's */
   readonly skeleton?: MedialGraph;
+  /** of the section that is about to be drawn */
+  readonly guide?: { readonly u: number; readonly side: 'front' | 'back' };
+  /** What the blue pencil draws for it. */
+  readonly marks?: readonly Mark[];
+  /** The unfinished form steps back behind the marks. */
+  readonly faint?: true;
   /** A gesture is under way that a moving camera would tear. */
   readonly still?: true;
   /** The document as it would be if the pen were lifted now; null: as it is. */
   preview?(bench: Bench): Document | null;
+  /** The pen or the mouse is over the picture without touching it; null: it left. Asked again when the document or the view is another. */
+  hover?(pen: Pen | null, bench: Bench): State | undefined;
   down?(pen: Pen, bench: Bench): State | undefined;
   move?(pens: readonly Pen[], bench: Bench): State | undefined;
   up?(bench: Bench): State | undefined;

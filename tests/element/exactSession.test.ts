@@ -67,7 +67,7 @@ const scene = {
     refined = null;
   },
   pick: () => null,
-  ...{ sync() {}, guide() {}, select() {}, dispose() {} },
+  ...{ sync() {}, guide() {}, setFaint() {}, select() {}, dispose() {} },
   rig: { update: () => false, view: () => FRONT_VIEW, setView() {} },
 } as unknown as Scene;
 

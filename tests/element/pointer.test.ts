@@ -16,16 +16,19 @@ let canvas: FakeCanvas;
 let log: string[];
 let fingersDraw: boolean;
 let looking: boolean;
+const touching = new Set<number>();
 
 beforeEach(() => {
   canvas = new FakeCanvas();
   log = [];
+  touching.clear();
   fingersDraw = true;
   looking = false;
   const note = (name: string) => () => void log.push(name);
   const target: PointerTarget = {
     down: note('down'),
     move: note('move'),
+    hover: (pen) => void log.push(pen ? 'hover' : 'left'),
     up: note('up'),
     cancel: note('cancel'),
     orbit: note('orbit'),
@@ -44,6 +47,8 @@ beforeEach(() => {
 });
 
 function send(type: string, pointerType: string, pointerId: number, x = 100, button = 0): void {
+  if (type === 'pointerdown') touching.add(pointerId);
+  if (type === 'pointerup' || type === 'pointercancel') touching.delete(pointerId);
   const event = new Event(type, { cancelable: true });
   const facts = {
     pointerType,
@@ -51,6 +56,7 @@ function send(type: string, pointerType: string, pointerId: number, x = 100, but
     clientX: x,
     clientY: 100,
     button,
+    buttons: touching.has(pointerId) ? 1 : 0,
     pressure: 0.5,
     tiltX: 0,
     tiltY: 0,
@@ -59,6 +65,24 @@ function send(type: string, pointerType: string, pointerId: number, x = 100, but
 }
 
 const strokes = () => log.filter((name) => ['down', 'up', 'cancel'].includes(name));
+
+describe('what does not touch', () => {
+  it('hovers and leaves; a finger does neither', () => {
+    send('pointermove', 'pen', 1, 150);
+    send('pointermove', 'mouse', 2, 150);
+    send('pointerleave', 'mouse', 2);
+    send('pointerleave', 'touch', 7);
+    expect(log).toEqual(['hover', 'hover', 'left']);
+  });
+
+  it('hovers no more while it draws', () => {
+    send('pointerdown', 'mouse', 2);
+    log.length = 0;
+    send('pointermove', 'mouse', 2, 150);
+    send('pointerleave', 'mouse', 2);
+    expect(log).toEqual(['move']);
+  });
+});
 
 describe('a pen', () => {
   it('draws on while a palm touches and leaves', () => {

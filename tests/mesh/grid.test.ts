@@ -1,17 +1,20 @@
 import { describe, expect, test } from 'vitest';
+import type { Plane } from '../../src/math/plane.ts';
 import { topology } from '../../src/mesh/check.ts';
-import { gridMesh, type Row } from '../../src/mesh/grid.ts';
+import { evenColumns, gridMesh as gridOf, type Row } from '../../src/mesh/grid.ts';
 import { volume } from '../../src/mesh/measure.ts';
 
 const PLANE = { origin: [0, 0, 0], x: [1, 0, 0], y: [0, 1, 0] } as const;
 const COLUMNS = 12;
+const gridMesh = (rows: readonly Row[], columns: number, plane: Plane) =>
+  gridOf(rows, evenColumns(columns), plane);
 
 /** A horizontal ring whose columns run counter-clockwise seen from above; `lean`: z of its normals. */
 function ring(radius: number, z: number, options: { joined?: boolean; lean?: number } = {}): Row {
   const { joined = true, lean = 0 } = options;
   const each = (r: number, w: number): Float64Array =>
-    Float64Array.from({ length: 3 * COLUMNS }, (_, i) => {
-      const angle = (2 * Math.PI * Math.floor(i / 3)) / COLUMNS;
+    Float64Array.from({ length: 3 * (COLUMNS + 1) }, (_, i) => {
+      const angle = (2 * Math.PI * (Math.floor(i / 3) % COLUMNS)) / COLUMNS;
       return [r * Math.cos(angle), r * Math.sin(angle), w][i % 3]!;
     });
   const flat = Math.sqrt(1 - lean * lean);

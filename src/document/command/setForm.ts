@@ -20,8 +20,9 @@ export const setForm: CommandKind<'setForm', Data> = {
     const { form = draft.form ?? null, joins = draft.joins ?? null, carves = draft.carves ?? false } = change;
     // one ring has no holes, and a form round has two sides
     if (form && draft.strokes.length > most(form)) return document;
+    const { form: _form, joins: _joins, carves: _carves, ...rest } = draft;
     const next: Draft = {
-      strokes: draft.strokes,
+      ...rest,
       ...(form && { form }),
       ...(joins && { joins }),
       ...(carves && { carves: true as const }),

@@ -33,6 +33,7 @@ export class FieldHands {
     return {
       down: nothing,
       move: nothing,
+      hover: nothing,
       up: nothing,
       cancel: nothing,
       undo: nothing,

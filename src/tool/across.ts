@@ -1,0 +1,188 @@
+/**
+ * Where a section can be drawn: across a form between its two construction curves, at the u that the surface itself uses (thesis 5.4.1,
+ * fig. 5.10). The chord is straight; the half on the right-hand side going from q_l to q_r is convex.
+ */
+import { type Document, isSurface, readingOf, type SurfacePart } from '../document/document.ts';
+import { pairOf } from '../document/pairs.ts';
+import { placedStroke } from '../document/placedStroke.ts';
+import { type Back, nearestSection, type Section } from '../document/surfacePart.ts';
+import { type Placement, UNMOVED } from '../math/placement.ts';
+import { distance2, dot2, mix2, sub2 } from '../math/tuple.ts';
+import type { Vec2 } from '../math/vec.ts';
+import { isInside } from '../skeleton/medial/outline.ts';
+import { project, toWorld } from '../stroke/plane.ts';
+import type { Plane } from '../stroke/stroke.ts';
+import type { Pair } from '../surface/pair.ts';
+import { isEdgeOn } from './penStroke.ts';
+import type { Bench, Pen } from './tool.ts';
+import type { Viewport } from './viewport.ts';
+
+/** px from a construction curve in which it is meant */
+export const REACH = 24;
+/** px: across less nothing can be drawn */
+const LEAST_CHORD = 12;
+/** pieces a curve is looked at in; the nearest place on them is then exact */
+const PIECES = 128;
+
+/** What sections can be drawn across. */
+export interface Across {
+  /** id; without one the unfinished form */
+  readonly part?: string;
+  /** where that was moved to */
+  readonly placement: Placement;
+  /** of its strokes, in its own space and in the world */
+  readonly own: Plane;
+  readonly plane: Plane;
+  readonly pair: Pair;
+  readonly sections: readonly Section[];
+  readonly back: Back;
+}
+
+export type NotAcross = 'no-sides' | 'edge-on' | 'bent';
+
+export type SideName = 'left' | 'right';
+
+/** One chord of it. */
+export interface Guide {
+  readonly across: Across;
+  readonly u: number;
+  /** q_l(u), q_r(u), mm on the plane */
+  readonly left: Vec2;
+  readonly right: Vec2;
+  /** the curve that the pen is near */
+  readonly near: SideName;
+  /** what a stroke there would be: a back belongs to the section at u */
+  readonly side: 'front' | 'back';
+}
+
+/** The unfinished form, else the selected part, else the last that has two sides; or why there is none. */
+export function acrossOf({ document, selection, viewport }: Bench): Across | NotAcross {
+  const found = document.draft ? ofDraft(document) : ofParts(document, selection);
+  if (typeof found === 'string') return found;
+  return isEdgeOn(found.plane, viewport.view) ? 'edge-on' : found;
+}
+
+function ofDraft(document: Document): Across | NotAcross {
+  const { draft, brush } = document;
+  const pair = readingOf(document) === 'solid' ? null : pairOf(draft!.strokes, brush);
+  if (!pair) return 'no-sides';
+  const { plane } = draft!.strokes[0]!;
+  const { sections = [], back = 'none' } = draft!;
+  return { placement: UNMOVED, own: plane, plane, pair, sections, back };
+}
+
+function ofParts({ parts }: Document, selection: readonly string[]): Across | NotAcross {
+  const seen = parts.filter(isSurface).filter(({ hidden, strokes }) => !hidden && strokes.length === 2);
+  const chosen = seen.filter(({ id }) => selection.includes(id)).at(-1) ?? seen.at(-1);
+  if (!chosen) return 'no-sides';
+  // the strokes are where the form was before it was bent
+  return chosen.bends.some(({ isOff }) => !isOff) ? 'bent' : (ofPart(chosen) ?? 'no-sides');
+}
+
+function ofPart({ id, placement, strokes, brush, sections, back }: SurfacePart): Across | null {
+  const pair = pairOf(strokes, brush);
+  const own = strokes[0]!.plane;
+  const { plane } = placedStroke(strokes[0]!, placement);
+  return pair && { part: id, placement, own, plane, pair, sections, back };
+}
+
+/** The chord at the construction curve that is near the pen; null: none is, or nothing is between them there. */
+export function guideAt(across: Across, pen: Pick<Pen, 'x' | 'y'>, viewport: Viewport): Guide | null {
+  const at: Vec2 = [pen.x, pen.y];
+  const [left, right] = (['left', 'right'] as const).map((side) => nearestOn(across, side, at, viewport));
+  const [near, found] =
+    left!.distance <= right!.distance ? ['left' as const, left!] : ['right' as const, right!];
+  if (!(found.distance <= REACH)) return null;
+  const guide = guideThrough(across, found.u, near);
+  const [a, b] = endsOf(guide, viewport);
+  return a && b && distance2(a, b) >= LEAST_CHORD ? guide : null;
+}
+
+/** A back goes to the section that it is nearest to, once. */
+export function guideThrough(across: Across, u: number, near: SideName): Guide {
+  const section = across.sections[nearestSection(across.sections, u)];
+  const isBack = across.back === 'drawn' && section?.front && !section.back;
+  const place = isBack ? section.u : u;
+  const { left, right } = across.pair.at(place, 1);
+  return { across, u: place, left, right, near, side: isBack ? 'back' : 'front' };
+}
+
+/** q_l(u) and q_r(u), px; null: behind the camera */
+export function endsOf(
+  { across: { plane }, left, right }: Guide,
+  { view, size }: Viewport,
+): readonly [Vec2 | null, Vec2 | null] {
+  return [project(view, size, toWorld(plane, left)), project(view, size, toWorld(plane, right))];
+}
+
+/** From the curve where the pen was near, 0, to the other one, 1, along the chord. */
+export function progressOf(guide: Guide, { x, y }: Pick<Pen, 'x' | 'y'>, viewport: Viewport): number {
+  const [left, right] = endsOf(guide, viewport);
+  if (!left || !right) return 0;
+  const [from, to] = guide.near === 'left' ? [left, right] : [right, left];
+  const chord = sub2(to, from);
+  return dot2(sub2([x, y], from), chord) / dot2(chord, chord);
+}
+
+/** px from the curve on the other side */
+export function distanceToOther(
+  { across, near }: Guide,
+  { x, y }: Pick<Pen, 'x' | 'y'>,
+  viewport: Viewport,
+): number {
+  return nearestOn(across, near === 'left' ? 'right' : 'left', [x, y], viewport).distance;
+}
+
+/** Between the curves, or within reach of one. */
+export function isWithin(across: Across, { x, y }: Pick<Pen, 'x' | 'y'>, viewport: Viewport): boolean {
+  const at: Vec2 = [x, y];
+  const sides = (['left', 'right'] as const).map((side) => nearestOn(across, side, at, viewport).distance);
+  if (Math.min(...sides) <= REACH) return true;
+  const { left, right } = seenSides(across, viewport);
+  const there = (points: readonly (Vec2 | null)[]) => points.filter((p) => p !== null);
+  return isInside(at, [[...there(left), ...there(right).reverse()]]);
+}
+
+interface Nearest {
+  readonly u: number;
+  /** px */
+  readonly distance: number;
+}
+
+function nearestOn(across: Across, side: SideName, at: Vec2, viewport: Viewport): Nearest {
+  const points = seenSides(across, viewport)[side];
+  let best: Nearest = { u: 0, distance: Infinity };
+  for (let i = 1; i < points.length; i++) {
+    const [a, b] = [points[i - 1], points[i]];
+    if (!a || !b) continue;
+    const t = alongSegment(at, a, b);
+    const distance = distance2(at, mix2(a, b, t));
+    if (distance < best.distance) best = { u: (i - 1 + t) / PIECES, distance };
+  }
+  return best;
+}
+
+function alongSegment(p: Vec2, a: Vec2, b: Vec2): number {
+  const ab = sub2(b, a);
+  const square = dot2(ab, ab);
+  return square > 0 ? Math.min(Math.max(dot2(sub2(p, a), ab) / square, 0), 1) : 0;
+}
+
+type Sides = Readonly<Record<SideName, readonly (Vec2 | null)[]>>;
+
+/** By the pair, on one plane in one view: a pen hovers a hundred times a second. */
+const seen = new WeakMap<Pair, { readonly key: string; readonly sides: Sides }>();
+
+function seenSides({ pair, plane }: Across, { view, size }: Viewport): Sides {
+  const key = JSON.stringify([plane, view, size]);
+  const known = seen.get(pair);
+  if (known?.key === key) return known.sides;
+  const chords = Array.from({ length: PIECES + 1 }, (_, i) => pair.at(i / PIECES, 1));
+  const pixel = (p: Vec2) => project(view, size, toWorld(plane, p));
+  const sides = {
+    left: chords.map(({ left }) => pixel(left)),
+    right: chords.map(({ right }) => pixel(right)),
+  };
+  seen.set(pair, { key, sides });
+  return sides;
+}
