@@ -15,12 +15,14 @@ import {
   colourOf,
   type Document,
   type Draft,
+  finishOf,
   formOfDraft,
   isSurface,
   type Part,
   readingOf,
 } from './document.ts';
 import { draftPart, hasDraftGroup, joinedOf } from './draftPart.ts';
+import type { Finish } from './finish.ts';
 import { nodeOf } from './solidNode.ts';
 import { DEFAULT_DETAIL, type Detail, PLAIN, type SurfaceForm } from './surfacePart.ts';
 
@@ -46,6 +48,7 @@ export interface Solid {
   readonly kind: Part['kind'];
   /** #rrggbb; where the mesh has colours of its own those count */
   readonly colour: string;
+  readonly finish: Finish;
   readonly mesh: Mesh;
 }
 
@@ -61,12 +64,13 @@ export function buildForm(
   if (!plane || found.some((curve) => curve === null)) return null;
   const { radius, pressure, caps } = brush;
   const quads = resolution ?? quadsOf(form.detail);
-  return buildSurface(kind, found as Curve[], plane, { radius, pressure, caps, ...quads });
+  const input = { curves: found as Curve[], sections: [], bends: [] };
+  return buildSurface(kind, input, plane, { radius, pressure, caps, ...quads });
 }
 
 interface Shape extends Pick<SurfaceForm, 'sections' | 'bends'> {
   readonly kind: SurfaceKind;
-  /** of what is no list; without the colour, which no mesh depends on */
+  /** of what is no list; without colour and finish, which no mesh depends on */
   readonly key: string;
   readonly mesh: Mesh | null;
 }
@@ -88,7 +92,7 @@ function surfaceOf(
   resolution: Resolution | null = null,
 ): Mesh | null {
   const { strokes, sections, bends, back, between, detail } = form;
-  const key = JSON.stringify([{ ...brush, colour: '' }, back, between, detail, resolution]);
+  const key = JSON.stringify([{ ...brush, colour: '', finish: null }, back, between, detail, resolution]);
   const known = shapes.get(strokes) ?? [];
   const isIt = (shape: Shape) =>
     shape.kind === kind && shape.key === key && shape.sections === sections && shape.bends === bends;
@@ -121,11 +125,11 @@ export function solidOf(part: Part, resolution: Resolution | null = null): Solid
 export const CLAY = '#cbcbcb';
 
 /** In its place; one colour covers those of the mesh, and says more exactly what all of its groups have. */
-function painted(part: Part, shape: Mesh): Pick<Solid, 'colour' | 'mesh'> {
+function painted(part: Part, shape: Mesh): Pick<Solid, 'colour' | 'finish' | 'mesh'> {
   const colour = colourOf(part);
   const { colours, ...plain } = shape;
   const mesh = colour === null || !colours ? shape : plain;
-  return { colour: colour ?? CLAY, mesh: placed(mesh, part.placement) };
+  return { colour: colour ?? CLAY, finish: finishOf(part), mesh: placed(mesh, part.placement) };
 }
 
 /** The kept parts that are not hidden, as meshes, but for one that the unfinished form becomes a part of, or was. */
@@ -167,7 +171,9 @@ export function draftSolids(document: Document): Solid[] {
   const forms = kind === 'tube' ? tubesOf(draft) : [whole];
   const found = forms.flatMap((form, i) => {
     const mesh = surfaceOf(kind, form, brush);
-    return mesh ? [{ id: `draft-${i}`, name: '', kind, colour: brush.colour, mesh }] : [];
+    return mesh
+      ? [{ id: `draft-${i}`, name: '', kind, colour: brush.colour, finish: brush.finish, mesh }]
+      : [];
   });
   drafts.set(draft, { brush, kind, solids: found });
   return found;

@@ -35,9 +35,6 @@ export const HALFWAY = vec3(
 /** Shade turns cool, not black: blue keeps more ambient and gains less. */
 export const AMBIENT = vec3(0.43, 0.43, 0.5);
 export const GAIN = vec3(0.83, 0.82, 0.74);
-/** exponent of the highlight */
-export const SHININESS = 40;
-
 /** The part's own colour, display values 0–1, set on the object that is drawn. */
 export const partColour = userData('colour', 'vec3') as unknown as Node<'vec3'>;
 

@@ -4,6 +4,7 @@
  */
 import { dFdx, dFdy, positionGeometry, positionView, vec2 } from 'three/tsl';
 import { DoubleSide, type Node, NodeMaterial } from 'three/webgpu';
+import { type FinishNodes, partFinish } from './finish.ts';
 import { facingNormal, paintedColour, partColour } from './light.ts';
 
 export interface Surface {
@@ -12,6 +13,7 @@ export interface Surface {
   readonly normal: Node<'vec3'>;
   /** display values */
   readonly colour: Node<'vec3'>;
+  readonly finish: FinishNodes;
   /** in the model, mm */
   readonly place: Node<'vec3'>;
   /** in view space, mm */
@@ -27,6 +29,7 @@ export const triangles = (painted: boolean): Surface => ({
   name: painted ? ', painted' : '',
   normal: facingNormal,
   colour: painted ? paintedColour : partColour,
+  finish: partFinish,
   place: positionGeometry.toVarying('rotund_place'),
   z: positionView.z,
   change: (direction) => pixelWidth(facingNormal.dot(direction).toVar()),

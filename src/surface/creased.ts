@@ -42,5 +42,5 @@ function mixed(a: SheetRow, b: SheetRow, u: number): SheetRow {
     const from = size > 1e-6 ? normals : t < 0.5 ? a.normals : b.normals;
     for (let i = 0; i < 3; i++) normals[k + i] = from[k + i]! / (size > 1e-6 ? size : 1);
   }
-  return { points: mix(a.points, b.points), normals, joined: true, at: { u, side: 1 } };
+  return { ...b, points: mix(a.points, b.points), normals, pole: false, joined: true, at: { u, side: 1 } };
 }

@@ -7,7 +7,7 @@
  */
 import { dot2, length2, scale2 } from '../math/tuple.ts';
 import type { Vec2 } from '../math/vec.ts';
-import type { Outline } from './outline.ts';
+import { type Outline, roundHalf } from './outline.ts';
 
 /** half the thickness of plates and webs, in half chords */
 const PLATE = 1e-3;
@@ -51,6 +51,9 @@ export function joined(front: Outline, back: Outline | 'mirror'): Outline {
     },
   };
 }
+
+/** The circle of rotational surfaces. */
+export const round: Outline = joined(roundHalf, 'mirror');
 
 /** The mean of two derivatives in nearly one direction; null where there is a corner. */
 function smooth(a: Vec2, b: Vec2): Vec2 | null {

@@ -6,7 +6,7 @@ import { area, bounds, volume } from '../../src/mesh/measure.ts';
 import type { Mesh } from '../../src/mesh/mesh.ts';
 import type { Curve } from '../../src/stroke/curve.ts';
 import { crossSectionSheet, type SectionOptions } from '../../src/surface/crossSection.ts';
-import { joined } from '../../src/surface/joined.ts';
+import { joined, round } from '../../src/surface/joined.ts';
 import { type Outline, outlineOf, roundHalf, straight } from '../../src/surface/outline.ts';
 import { rotational } from '../../src/surface/rotational.ts';
 import { tube } from '../../src/surface/tube.ts';
@@ -29,7 +29,6 @@ import { bent, comb, mushroom, raisedBy, roof, wave } from './outlines.ts';
 
 const FINE = { u: 48, v: 48 };
 const { PI } = Math;
-const round = joined(roundHalf, 'mirror');
 
 function mesh(
   curves: readonly Curve[],

@@ -1,7 +1,7 @@
 import type { Vec2 } from '../../math/vec.ts';
 import { isInside } from '../../skeleton/medial/outline.ts';
 import type { Plane, Stroke } from '../../stroke/stroke.ts';
-import { type Document, type Draft, readingOf } from '../document.ts';
+import { type Document, type Draft, readingOf, staysTubes } from '../document.ts';
 import { MOST_HOLES } from '../solid.ts';
 import type { CommandKind } from './index.ts';
 import { keep } from './keep.ts';
@@ -39,7 +39,7 @@ export function joinsDraft(document: Document, stroke: Stroke): boolean {
     const holds = form === undefined || form === 'soft' || form === 'plate';
     return holds && stroke.closed && strokes.length <= MOST_HOLES && liesInside(stroke, first);
   }
-  return strokes.length === 1 && !document.tubesOnly && form !== 'tube';
+  return strokes.length === 1 && !staysTubes(document) && form !== 'tube';
 }
 
 /** All of it. */
