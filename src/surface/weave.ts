@@ -56,7 +56,7 @@ export function weaveOf(
 }
 
 /** Points of every outline at the same v. */
-function formsOf({ pieces }: Alike, sections: number): number[][] {
+export function formsOf({ pieces }: Alike, sections: number): number[][] {
   const vs = Array.from({ length: COMPARED }, (_, i) => i / COMPARED);
   return Array.from({ length: sections }, (_, k) =>
     pieces.flatMap(({ from, to, along }) => vs.flatMap((t) => along[k]!.point(from + (to - from) * t))),

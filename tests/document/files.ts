@@ -125,9 +125,10 @@ const SOLIDS: readonly Command[] = [
   { type: 'renamePart', id: 'component-9', name: 'Sum' },
 ];
 
-const across = (x: number, dip: number) => strokeAlong((t) => [x + 25 * t, 0 - dip * Math.sin(3.1 * t)], {}, 8);
+const across = (x: number, dip: number) =>
+  strokeAlong((t) => [x + 25 * t, 0 - dip * Math.sin(3.1 * t)], {}, 8);
 const SIDE: Plane = { origin: [0, 1, 0], x: [0, 0, -1], y: [0, 1, 0] };
-const sideways = (by: number) => strokeAlong((t) => [by * t * t, 30 - 60 * t], { plane: SIDE }, 9);
+const sideways = (by: number) => strokeAlong((t) => [0 + by * t * t, 30 - 60 * t], { plane: SIDE }, 9);
 
 /** A surface with sections, backs, redraws and bends, another whose strokes are in hand. The next number is 25. */
 const SURFACES: readonly Command[] = [

@@ -21,7 +21,6 @@ export const setForm: CommandKind<'setForm', Data> = {
     const { form = wasForm ?? null, joins = wasJoins ?? null, carves = wasCarves ?? false } = change;
     // one ring has no holes, and a form round has two sides
     if (form && draft.strokes.length > most(form)) return document;
-    const { form: _form, joins: _joins, carves: _carves, ...rest } = draft;
     const next: Draft = {
       ...rest,
       ...(form && { form }),
