@@ -41,7 +41,13 @@ export function placed(stand: Stand, points: readonly Vec2[]): Float64Array {
   return out;
 }
 
-/** Unit S_u × S_v at all points of an outline, with its derivatives there. */
+/** Unit S_u × S_v where the outline passes (x, y) with the derivative (dx, dy). */
+export function normalAt(stand: Stand, point: Vec2, rate: Vec2): Vec3 {
+  const [x, y, z] = normalsAt(stand, [point], [rate]);
+  return [x!, y!, z!];
+}
+
+/** The same at all points of an outline, with its derivatives there. */
 export function normalsAt(stand: Stand, points: readonly Vec2[], rates: readonly Vec2[]): Float64Array {
   const { axis, dCentre, dHalf } = stand;
   // along u: the section's own normal, to the right of c → q_l

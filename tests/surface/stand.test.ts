@@ -3,14 +3,12 @@ import { cross3, dot3, length3, scale3, sub3 } from '../../src/math/tuple.ts';
 import type { Vec2, Vec3 } from '../../src/math/vec.ts';
 import { pairCurves } from '../../src/surface/pair.ts';
 import { ringAt } from '../../src/surface/ring.ts';
-import { normalsAt, place, placed, type Stand } from '../../src/surface/stand.ts';
+import { normalAt, place, placed } from '../../src/surface/stand.ts';
 import { halfCircle, line } from './curves.ts';
 
 const pair = pairCurves(halfCircle(60, -1, -5), line([10, 60], [40, -60]));
 const outline = (v: number): Vec2 => [2 * v - 1 + Math.sin(7 * v), Math.sin(3 * v)];
 const rate = (v: number): Vec2 => [2 + 7 * Math.cos(7 * v), 3 * Math.cos(3 * v)];
-const normalAt = (stand: Stand, point: Vec2, d: Vec2) =>
-  [...normalsAt(stand, [point], [d])] as unknown as Vec3;
 const at = (u: number, v: number): Vec3 => place(ringAt(pair, u, 1, false), outline(v));
 
 describe('an outline at one u', () => {
