@@ -1,11 +1,14 @@
 /** What can be done with the selected parts: at the lower edge while there is no unfinished form that asks first. */
 import { html, nothing, type TemplateResult } from 'lit';
 import { CLAY } from '../document/build.ts';
+import { partsWith } from '../document/chosen.ts';
 import { nameOf } from '../document/command/changeParts.ts';
+import { isSurface } from '../document/document.ts';
 import { mirrorOf } from '../document/mirror.ts';
+import { startBend } from './bending.ts';
+import { chosenColour } from './chosenParts.ts';
 import { type Actions, iconButton } from './controls.ts';
 import { ball } from './icons.ts';
-import { chosenColour } from './partCard.ts';
 import {
   duplicateSelection,
   hideSelection,
@@ -16,7 +19,7 @@ import {
 import { isHidden } from './partRows.ts';
 import type { Session } from './session.ts';
 import { isSkeletonOn, selectedSkeleton, toggleSkeleton } from './skeletonEdit.ts';
-import { PART_WORDS, SKELETON_WORDS, SOLID_WORDS } from './words.ts';
+import { EDIT_WORDS, PART_WORDS, SKELETON_WORDS, SOLID_WORDS } from './words.ts';
 
 const { action } = PART_WORDS;
 
@@ -32,12 +35,20 @@ export function actionsBar(session: Session, actions: Actions): TemplateResult |
     })}
     ${iconButton(hidden ? 'eye' : 'eyeOff', hidden ? action.show : action.hide, () => hideSelection(session), { key: 'H', class: 'elsewhere least' })}
     ${hidden ? nothing : iconButton('focus', action.focus, () => session.focus(selection), { class: 'elsewhere' })}
+    ${bends(session)}
     ${iconButton('duplicate', action.duplicate, () => duplicateSelection(session), { shortcut: 'Control+D' })}
     ${hidden ? nothing : mirrors(session)}
     ${selectedSkeleton(session) ? iconButton('skeleton', SKELETON_WORDS.show, () => toggleSkeleton(session), { key: 'K', pressed: isSkeletonOn(session) }) : nothing}
     <span class="separator"></span>
     ${iconButton('trash', action.remove, () => removeSelection(session), { class: 'danger', shortcut: 'Delete' })}
   </div>`;
+}
+
+/** One surface that is seen can be bent. */
+function bends(session: Session): TemplateResult | typeof nothing {
+  const [part, ...others] = partsWith(session.document, session.selection);
+  if (!part || others.length > 0 || part.hidden || !isSurface(part)) return nothing;
+  return html`${iconButton('bend', EDIT_WORDS.bend, () => startBend(session), { key: EDIT_WORDS.bendKey })}`;
 }
 
 /** Where the mirror stands is told by their tooltips. */

@@ -5,6 +5,7 @@ import type { Vec3 } from '../math/vec.ts';
 import { bounds } from '../mesh/measure.ts';
 import type { Box, Mesh } from '../mesh/mesh.ts';
 import type { CameraRig } from '../scene/index.ts';
+import type { View } from '../stroke/stroke.ts';
 import type { Session } from './session.ts';
 import type { Axis } from './viewBall.ts';
 
@@ -53,6 +54,12 @@ export class CameraMoves {
       const box = boxOf(meshes.map(({ mesh }) => mesh));
       this.#move((rig) => rig.fit(box, true, this.#session.margins()));
     }
+  }
+
+  /** For tools that know from where something is to be seen. */
+  lookFrom(view: View): void {
+    this.#session.scene?.rig.setView(view, true);
+    this.#session.frames.wake();
   }
 
   reset(): void {

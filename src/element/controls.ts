@@ -1,13 +1,14 @@
 /** The floating controls around the drawing, as templates: what they show comes from the session, what they do goes to `Actions`. */
 import { html, nothing, type TemplateResult } from 'lit';
 import { live } from 'lit/directives/live.js';
-import { RADIUS_RANGE } from '../document/document.ts';
+import { isSurface, RADIUS_RANGE } from '../document/document.ts';
 import { redoable, undoable } from '../document/history.ts';
+import { startBend } from './bending.ts';
 import type { Files } from './files.ts';
 import { ball, type IconName, icon, wordmark } from './icons.ts';
 import type { Place } from './place.ts';
 import type { Session } from './session.ts';
-import { PART_WORDS, SECTION_WORDS, type ShownStyle, STYLE_NAMES, WORDS } from './words.ts';
+import { EDIT_WORDS, PART_WORDS, SECTION_WORDS, type ShownStyle, STYLE_NAMES, WORDS } from './words.ts';
 
 export type PanelName = 'settings' | 'menu' | 'palette' | 'help' | 'drawings' | 'file' | 'export' | 'parts';
 
@@ -133,6 +134,7 @@ export function rail(session: Session, actions: Actions): TemplateResult {
   const { brush, parts } = session.document;
   const named = parts.length === 0 && !session.document.draft;
   const drawing = session.tool === 'draw';
+  const hasSurface = parts.some(isSurface) || session.document.draft !== null;
   const draw = () => {
     session.setTool('draw');
     actions.dismiss();
@@ -149,6 +151,7 @@ export function rail(session: Session, actions: Actions): TemplateResult {
   return html`<div class="rail card chrome ${named ? 'named' : ''} ${drawing ? '' : 'selecting'}" part="tools" role="toolbar" aria-label="Tools" aria-orientation="vertical">
     ${iconButton('draw', 'Draw', draw, { key: 'D', pressed: drawing })}
     ${iconButton('section', SECTION_WORDS.tool, across, { key: 'L', pressed: session.tool === 'section' })}
+    ${hasSurface ? iconButton('bend', EDIT_WORDS.bend, () => startBend(session), { key: EDIT_WORDS.bendKey, pressed: session.tool === 'bend' }) : nothing}
     ${iconButton('select', PART_WORDS.select, () => session.setTool('select'), { key: 'V', pressed: session.tool === 'select' })}
     ${
       drawing

@@ -1,4 +1,5 @@
 /** Hot keys: the thesis' own where it has one, and what drawing programs share. They answer only while the element has focus. */
+import { dropBend, keepBend, startBend } from './bending.ts';
 import { dragOf, keyOf } from './lookKeys.ts';
 import {
   duplicateSelection,
@@ -54,7 +55,7 @@ function drawing(key: string, shift: boolean, session: Session, actions: KeyActi
   switch (key) {
     case 'n':
     case 'Enter':
-      return done(session.keep());
+      return done(session.tool === 'bend' ? keepBend(session) : session.keep());
     case 'Escape':
       return done(back(session, actions));
     case 'u':
@@ -70,6 +71,8 @@ function drawing(key: string, shift: boolean, session: Session, actions: KeyActi
     case 'd':
       session.setTool('draw');
       return done(actions.close());
+    case 'b':
+      return startBend(session);
     case 'l':
       session.setTool('section');
       return done(actions.close());
@@ -95,6 +98,10 @@ function drawing(key: string, shift: boolean, session: Session, actions: KeyActi
  */
 function back(session: Session, actions: KeyActions): void {
   if (session.cancel()) return;
+  if (session.tool === 'bend') {
+    dropBend(session);
+    return;
+  }
   if (leaveSkeleton(session)) return;
   if (letGoOf(session)) return;
   if (session.document.draft) session.drop();

@@ -9,11 +9,13 @@ import { isDark, lineColour, PAPER_COLOUR, pencilColour } from '../scene/look.ts
 import { acrossCard, acrossLayout } from './acrossCard.ts';
 import { actionsBar } from './actionsBar.ts';
 import { SketchApi } from './api.ts';
+import { bendCard } from './bendCard.ts';
 import { chip, chipSize, showsBacks } from './chip.ts';
 import { chipLayout } from './chipLayout.ts';
 import { clipboard } from './clipboard.ts';
 import { notice, type PanelName, rail, status, topBar } from './controls.ts';
 import { dropVeil } from './dropVeil.ts';
+import { editLayout } from './editLayout.ts';
 import { messageOf, renamed } from './events.ts';
 import { fileLayout } from './fileLayout.ts';
 import { Files } from './files.ts';
@@ -57,6 +59,7 @@ export class RotundSketch extends SketchApi {
     fileLayout,
     noPictureStyle,
     partsLayout,
+    editLayout,
     skeletonLayout,
     profileLayout,
     acrossLayout,
@@ -285,7 +288,7 @@ export class RotundSketch extends SketchApi {
     const around = {
       before: html`${hasSkeleton(session) ? skeletonOverlay(session) : gizmo(session, this)} ${empty && (session.noPicture?.told ?? true) ? html`<div class="start ${this.files.samples.list.length > 0 ? 'filled' : ''}">${hint()}${gallery(this)}</div>` : nothing} ${fileTray(session, this)}`,
       after: html`${rail(session, this)} ${meter(session)}
-        ${actionsBar(session, this)} ${acrossCard(session, this)} ${chip(session, this)}`,
+        ${actionsBar(session, this)} ${bendCard(session)} ${acrossCard(session, this)} ${chip(session, this)}`,
     };
     return html`<div class="app ${isDark(session.look.background) ? 'on-dark' : ''}">
       <div class="stage ${this.#cursor}" part="stage" role=${this.readOnly ? 'img' : 'application'}

@@ -36,6 +36,7 @@ import { AIR, type Margins } from '../scene/view.ts';
 import { rayAt } from '../stroke/plane.ts';
 import type { View } from '../stroke/stroke.ts';
 import { acrossOf } from '../tool/across.ts';
+import { choosing } from '../tool/bend.ts';
 import { idle } from '../tool/draw.ts';
 import { sectioning } from '../tool/section.ts';
 import { selecting } from '../tool/select.ts';
@@ -56,7 +57,7 @@ import type { Picked } from './picked.ts';
 import { Rays } from './rays.ts';
 import { spoken } from './speech.ts';
 import { Timing } from './timing.ts';
-import { SECTION_WORDS, SILHOUETTE_WORDS, SOLID_WORDS, SURFACE, WORDS } from './words.ts';
+import { EDIT_WORDS, SECTION_WORDS, SILHOUETTE_WORDS, SOLID_WORDS, SURFACE, WORDS } from './words.ts';
 
 export interface Notice {
   readonly text: string;
@@ -67,7 +68,7 @@ export interface Notice {
   readonly actions: readonly { readonly label: string; run(): void }[];
 }
 
-export const TOOLS = { draw: idle, section: sectioning, select: selecting } as const;
+export const TOOLS = { draw: idle, section: sectioning, bend: choosing, select: selecting } as const;
 /** ms: what takes less is done before one asks */
 const PATIENCE = 500;
 /** ms: a pen or a slider that is still for so long rests, and what is shown is made finely */
@@ -114,6 +115,8 @@ export class Session implements Bench, Viewport {
   margins = (): Margins => AIR;
   /** until the slider is let go */
   #dragCancelled = false;
+  /** where the tool in hand has come to */
+  #waiting: State | null = null;
   /** what a control that is being dragged shows */
   #tuned: State | null = null;
   /** bodies whose problem was told */
@@ -187,6 +190,10 @@ export class Session implements Bench, Viewport {
 
   focus(ids: readonly string[]): void {
     this.camera.show(ids);
+  }
+
+  lookFrom(view: View): void {
+    this.camera.lookFrom(view);
   }
 
   // ── commands ────────────────────────────────────────────────────────────────────────────────────────
@@ -406,6 +413,8 @@ export class Session implements Bench, Viewport {
   /** Drawing deselects; the unfinished form stays as it is. */
   setTool(tool: ToolName): void {
     this.cancel();
+    this.state.leave?.(this);
+    this.#waiting = null;
     this.tool = tool;
     this.state = TOOLS[tool];
     if (tool === 'draw') this.select([]);
@@ -564,7 +573,7 @@ export class Session implements Bench, Viewport {
 
   /** What the tool in hand waits in. */
   get idle(): State {
-    return TOOLS[this.tool];
+    return this.#waiting ?? TOOLS[this.tool];
   }
 
   /** A slider is being dragged: what it would do is only shown until it is let go, and is one undo step then. */
@@ -586,6 +595,7 @@ export class Session implements Bench, Viewport {
     const began = closes || shows(next) !== shows(this.state) || hintOf(next) !== hintOf(this.state);
     if ((next.faint ?? false) !== (this.state.faint ?? false)) this.scene?.setFaint(next.faint ?? false);
     this.state = next;
+    if (next.waits) this.#waiting = next;
     this.#stir();
     // said once, not at every move
     if (closes) this.said = previewWords(this.shown());
@@ -606,6 +616,7 @@ export class Session implements Bench, Viewport {
   notify(notice: ToolNotice, offer: readonly Command[] = []): void {
     if (notice === 'selected') this.saySelection();
     if (notice === 'too-short') this.#offerPoint(offer);
+    if (notice in EDIT_WORDS.said) this.said = EDIT_WORDS.said[notice as keyof typeof EDIT_WORDS.said];
     if (notice === 'no-sides' || notice === 'bent' || notice === 'off-sides')
       this.said = SECTION_WORDS.notAcross[notice];
     if (notice === 'edge-on') {

@@ -36,6 +36,7 @@ export function spoken(document: Document, command: Command): string | null {
     case 'scaleParts':
     case 'moveGroups':
     case 'paste':
+    case 'bend':
       return describe(document, command);
     case 'load':
       return WORDS.opened(command.name);

@@ -229,6 +229,21 @@ export const PART_WORDS = {
   },
 } as const;
 
+/** Words of what surfaces do with light. */
+export const FINISH_WORDS = {
+  finish: 'Finish',
+  finishOf: (name: string) => `Finish of ${name}`,
+  next: 'this and the next form',
+  more: 'More light',
+  name: { ambient: 'Ambient', diffuse: 'Diffuse', specular: 'Shine', shininess: 'Shininess' },
+  hint: {
+    ambient: 'Light from everywhere: more of it lifts the shade',
+    diffuse: 'Light from the lamp: more of it sets lit and shaded sides apart',
+    specular: 'Specular: how strong the highlight is',
+    shininess: 'The larger, the smaller and sharper the highlight is',
+  },
+} as const;
+
 export const STYLE_NAMES = {
   toon: 'Toon',
   'hbed-lines': 'Lines',
@@ -303,11 +318,32 @@ export const MARK_WORDS = {
     unit === '°' ? `${Math.round(value)}°` : `${Math.round(value)} ${unit}`,
 } as const;
 
+/** Words of what is drawn over forms that are there. */
+export const EDIT_WORDS = {
+  bend: 'Bend',
+  bendKey: 'B',
+  drawLine: 'Draw the new centre line',
+  bent: (name: string) => `${name} bent`,
+  which: 'Tap the part to bend',
+  bendFact: (index: number) => `bend ${index + 1}`,
+  length: 'Length',
+  kept: 'Kept',
+  keptHint: 'It stays as long as it was',
+  stretched: 'Stretched',
+  stretchedHint: 'It reaches as far as the stroke',
+  said: {
+    bend: 'Draw the new centre line',
+    'bend-what': 'Only surfaces of strokes can be bent',
+    'end-on': 'The axis is seen from its end. Turn the view a little',
+  },
+} as const;
+
 /** Hot keys, for tooltips and the sheet. The thesis' own where it has one. */
 export const KEYS: readonly { readonly keys: string; readonly does: string }[] = [
   { keys: 'D', does: 'Draw' },
   { keys: 'L', does: 'Section: draw across a form' },
   { keys: 'V', does: 'Select' },
+  { keys: 'B', does: 'Bend what is selected, or was made last' },
   { keys: 'N or Enter', does: 'Keep the form' },
   { keys: 'Esc', does: 'Cancel the stroke, drop the form, let go' },
   { keys: 'U or Ctrl Z', does: 'Undo' },

@@ -55,6 +55,17 @@ export function shortestTurn(from: Vec3, to: Vec3): Quat {
   return normalized([x, y, z, 1 + cosine]);
 }
 
+/** The turn that brings the axes x and y of the world onto these orthonormal ones; from the largest component, which loses no digits. */
+export function turnOnto(x: Vec3, y: Vec3): Quat {
+  const z = cross3(x, y);
+  const trace = x[0] + y[1] + z[2];
+  if (trace > 0) return normalized([y[2] - z[1], z[0] - x[2], x[1] - y[0], 1 + trace]);
+  if (x[0] >= y[1] && x[0] >= z[2])
+    return normalized([1 + x[0] - y[1] - z[2], y[0] + x[1], z[0] + x[2], y[2] - z[1]]);
+  if (y[1] >= z[2]) return normalized([y[0] + x[1], 1 + y[1] - x[0] - z[2], z[1] + y[2], z[0] - x[2]]);
+  return normalized([z[0] + x[2], z[1] + y[2], 1 + z[2] - x[0] - y[1], x[1] - y[0]]);
+}
+
 function multiply(a: Quat, b: Quat): Quat {
   return [
     a[3] * b[0] + a[0] * b[3] + a[1] * b[2] - a[2] * b[1],

@@ -14,12 +14,16 @@ import { LIMITS } from '../document/limits.ts';
 import { length2 } from '../math/tuple.ts';
 import { facingPlane } from '../stroke/plane.ts';
 import type { Plane, Stroke, View } from '../stroke/stroke.ts';
+import { acrossOf, type Guide, guideAt, isWithin } from './across.ts';
+import { isSnapped, marksOf, plan as planSection } from './crossing.ts';
 import { isEdgeOn, strokeOn } from './penStroke.ts';
 import type { Bench, Pen, State } from './tool.ts';
 import type { Hit } from './viewport.ts';
 
 /** Pixels. A tube is shown from here on, and a shorter gesture is a dot. */
 const MINIMUM = 12;
+/** Pixels: across less a stroke that starts on a side is no section. */
+const WIDE = 48;
 /** Pixels, or this share of the length, whichever is more: near enough to the start to close. */
 const CLOSING = { pixels: 24, share: 0.04, least: 4 } as const;
 
@@ -46,6 +50,8 @@ interface Ground {
   readonly on: Hit | null;
   /** the solid it starts on */
   readonly joins: Joins | null;
+  /** it starts on a side of the unfinished form: one that ends on the other is a section */
+  readonly guide: Guide | null;
 }
 
 interface Drawn {
@@ -63,8 +69,13 @@ function drawing(drawn: Drawn): State {
     name: drawn.length < MINIMUM ? 'draw.pointing' : 'draw.drawing',
     wet: { pens, on: ground.on, closing: isClosing(drawn) },
     preview: (bench) => previewOf(drawn, bench),
-    move: (more) => drawing(more.reduce(extend, drawn)),
+    move: (more, bench) => over(more.reduce(extend, drawn), bench),
     up(bench) {
+      const across = sectionOf(drawn, bench);
+      if (across) {
+        bench.commit(across);
+        return idle;
+      }
       const stroke = drawn.length < MINIMUM ? null : strokeOf(drawn, bench);
       if (stroke) bench.commit(plan(bench.document, stroke, ground.joins));
       else bench.notify('too-short', pointPlan(drawn, bench));
@@ -72,6 +83,28 @@ function drawing(drawn: Drawn): State {
     },
     cancel: () => idle,
   };
+}
+
+/** Between the two sides of the unfinished form it may become a section: the guide says so. */
+function over(drawn: Drawn, bench: Bench): State {
+  const { ground } = drawn;
+  if (!ground.guide || drawn.length < MINIMUM || !isBetween(drawn, ground.guide, bench))
+    return drawing(drawn);
+  return {
+    ...drawing(drawn),
+    wet: { pens: drawn.pens, on: null, closing: false },
+    marks: marksOf({ ...drawn, guide: ground.guide }, bench),
+  };
+}
+
+const isBetween = ({ pens }: Drawn, guide: Guide, { viewport }: Bench): boolean =>
+  isWithin(guide.across, pens.at(-1)!, viewport);
+
+/** From one side to the other one; null: it is something else. */
+function sectionOf(drawn: Drawn, bench: Bench): readonly Command[] | null {
+  const { guide } = drawn.ground;
+  const crossing = guide && { ...drawn, guide };
+  return crossing && isSnapped(crossing, bench) ? planSection(crossing, bench) : null;
 }
 
 /** The pen's path is only ever appended to: copying it at each event would cost the square of its length.
@@ -113,9 +146,13 @@ function groundAt({ document, viewport }: Bench, { x, y }: Pen): Ground {
   const own = facingPlane(viewport.view, on?.point ?? viewport.view.pivot);
   const joins = on && joinsAt(document, on);
   const plane = document.draft?.strokes[0]?.plane ?? null;
-  if (isSide(document)) return { shared: plane, own, on: null, joins };
+  if (isSide(document)) return { shared: plane, own, on: null, joins, guide: null };
   const mayHold = readingOf(document) === 'solid' && plane && !isEdgeOn(plane, viewport.view);
-  return { shared: mayHold ? plane : null, own, on, joins };
+  // who wants tubes draws tubes
+  const mayCross = document.draft && readingOf(document) !== 'tube';
+  const across = mayCross ? acrossOf({ document, viewport, selection: [] }) : null;
+  const guide = across && typeof across !== 'string' ? guideAt(across, { x, y }, viewport, WIDE) : null;
+  return { shared: mayHold ? plane : null, own, on, joins, guide };
 }
 
 /** The component whose skel is under the pen; skels of a solid with several lie in one part of the tree each. */
@@ -178,6 +215,11 @@ function settled(document: Document): readonly Command[] {
 
 /** A tube from its first 12 px on, a solid while it closes; a rotational surface once the second stroke is half as long as the first. */
 function previewOf(drawn: Drawn, bench: Bench): Document | null {
+  const across = sectionOf(drawn, bench);
+  if (across) return across.reduce(apply, bench.document);
+  const { guide } = drawn.ground;
+  // nobody knows yet whether it goes all the way across
+  if (guide && isBetween(drawn, guide, bench)) return null;
   const stroke = drawn.length >= MINIMUM ? strokeOf(drawn, bench) : null;
   if (!stroke) return null;
   const commands = plan(bench.document, stroke, drawn.ground.joins);

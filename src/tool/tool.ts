@@ -6,7 +6,8 @@ import type { Command } from '../document/command/index.ts';
 import type { Document } from '../document/document.ts';
 import type { Placement } from '../math/placement.ts';
 import type { MedialGraph } from '../skeleton/medial/axis.ts';
-import type { Stroke } from '../stroke/stroke.ts';
+import type { Stroke, View } from '../stroke/stroke.ts';
+import type { Bending } from './bend.ts';
 import type { Mark } from './marks.ts';
 import type { Hit, Viewport } from './viewport.ts';
 
@@ -26,7 +27,16 @@ export interface Pen {
 }
 
 /** What a tool has to tell; the words are the interface's. */
-export type Notice = 'too-short' | 'edge-on' | 'selected' | 'no-sides' | 'off-sides' | 'bent';
+export type Notice =
+  | 'too-short'
+  | 'edge-on'
+  | 'selected'
+  | 'no-sides'
+  | 'off-sides'
+  | 'bent'
+  | 'bend'
+  | 'bend-what'
+  | 'end-on';
 
 /** What a tool sees and may ask for. */
 export interface Bench {
@@ -38,6 +48,8 @@ export interface Bench {
   commit(commands: readonly Command[]): void;
   /** The camera comes to where these parts fill the picture. */
   focus(ids: readonly string[]): void;
+  /** The camera comes to look like this. */
+  lookFrom(view: View): void;
   /** `offer`: what would be done instead, if that is what was meant */
   notify(notice: Notice, offer?: readonly Command[]): void;
 }
@@ -79,6 +91,12 @@ export interface State {
   readonly guide?: { readonly u: number; readonly side: 'front' | 'back' };
   /** What the blue pencil draws for it. */
   readonly marks?: readonly Mark[];
+  /** Those that follow the document. */
+  marked?(bench: Bench): readonly Mark[];
+  /** What is being bent. */
+  readonly bending?: Bending;
+  /** The tool waits here: gestures that begin elsewhere come back to it. */
+  readonly waits?: true;
   /** The unfinished form steps back behind the marks. */
   readonly faint?: true;
   /** A gesture is under way that a moving camera would tear. */
@@ -91,4 +109,6 @@ export interface State {
   move?(pens: readonly Pen[], bench: Bench): State | undefined;
   up?(bench: Bench): State | undefined;
   cancel(): State;
+  /** The tool is laid down. */
+  leave?(bench: Bench): void;
 }

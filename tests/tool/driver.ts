@@ -38,6 +38,10 @@ export class Driver implements Bench {
     this.focused.push(ids);
   }
 
+  lookFrom(view: View): void {
+    this.view = view;
+  }
+
   commit(commands: readonly Command[]): void {
     this.history = commands.reduce(commit, this.history);
   }
@@ -53,6 +57,12 @@ export class Driver implements Bench {
 
   undo(): void {
     this.history = undo(this.history);
+  }
+
+  /** Over the picture; without a place: away from it. */
+  hover(x?: number, y?: number): void {
+    const at = x === undefined || y === undefined ? null : pen(x, y, 0);
+    this.state = this.state.hover?.(at, this) ?? this.state;
   }
 
   down(x: number, y: number): void {
