@@ -289,7 +289,8 @@ describe('creases', () => {
       const sheet = patch(PAIRS['a corner on one side']!, sections, { between, rows: null });
       const source = sourceOf({ curves: PAIRS['a corner on one side']!, radius: 10, pressure: false });
       const { left, right } = source.stand(source.stops[1]!.u, 1);
-      const found = creases(sheetMesh(sheet, FLAT), 0.999);
+      // tips, at y = ± 50, have a normal for every column
+      const found = creases(sheetMesh(sheet, FLAT), 0.999).filter(([, y]) => Math.abs(y) < 49.99);
       expect(found.length).toBeGreaterThan(8);
       // on the chord through the corner
       for (const [x, y] of found) {
