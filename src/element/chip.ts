@@ -157,7 +157,7 @@ function backs(session: Session): TemplateResult {
     chosen: back === now,
     run: () => setBack(session, back),
   }));
-  return radios(SECTION_WORDS.back, 'forms', choices);
+  return radios(SECTION_WORDS.back, 'forms backs', choices);
 }
 
 function choose(session: Session, word: FormWord): void {
