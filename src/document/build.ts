@@ -5,9 +5,8 @@
  */
 import type { Mesh } from '../mesh/mesh.ts';
 import { placed } from '../mesh/placed.ts';
-import type { Curve } from '../stroke/curve.ts';
 import type { Stroke } from '../stroke/stroke.ts';
-import { buildSurface, type SurfaceKind } from '../surface/index.ts';
+import { type SurfaceKind, sheetMesh } from '../surface/index.ts';
 import { bodyMade } from './bodies.ts';
 import { curveOfStroke } from './curves.ts';
 import {
@@ -23,23 +22,14 @@ import {
 } from './document.ts';
 import { draftPart, hasDraftGroup, joinedOf } from './draftPart.ts';
 import type { Finish } from './finish.ts';
+import { type Resolution, sheetOf } from './sheets.ts';
 import { nodeOf } from './solidNode.ts';
-import { DEFAULT_DETAIL, type Detail, PLAIN, type SurfaceForm } from './surfacePart.ts';
+import { PLAIN, type SurfaceForm } from './surfacePart.ts';
 
-/** Quads along and around a parametric surface. */
-export interface Resolution {
-  readonly u: number;
-  readonly v: number;
-}
+export { quadsOf, type Resolution } from './sheets.ts';
 
 /** Quads that surfaces have when nobody set any. */
 export const RESOLUTION: Resolution = { u: 64, v: 64 };
-
-/** As finely as a surface says itself; patches divide their spans by themselves. */
-export const quadsOf = ({ rows, columns, u, v }: Detail): Resolution => ({
-  u: (rows ?? DEFAULT_DETAIL.columns) << u,
-  v: columns << v,
-});
 
 /** A mesh with what it is shown by. */
 export interface Solid {
@@ -59,13 +49,8 @@ export function buildForm(
   brush: Brush,
   resolution: Resolution | null = null,
 ): Mesh | null {
-  const plane = form.strokes[0]?.plane;
-  const found = form.strokes.map((stroke) => curveOfStroke(stroke, brush));
-  if (!plane || found.some((curve) => curve === null)) return null;
-  const { radius, pressure, caps } = brush;
-  const quads = resolution ?? quadsOf(form.detail);
-  const input = { curves: found as Curve[], sections: [], bends: [] };
-  return buildSurface(kind, input, plane, { radius, pressure, caps, ...quads });
+  if (form.strokes.some((stroke) => !curveOfStroke(stroke, brush))) return null;
+  return sheetMesh(sheetOf(kind, form, brush, resolution), form.strokes[0]!.plane);
 }
 
 interface Shape extends Pick<SurfaceForm, 'sections' | 'bends'> {
@@ -134,8 +119,8 @@ function painted(part: Part, shape: Mesh): Pick<Solid, 'colour' | 'finish' | 'me
 
 /** The kept parts that are not hidden, as meshes, but for one that the unfinished form becomes a part of, or was. */
 export function solids(document: Document, resolution: Resolution | null = null): Solid[] {
-  const inHand = joinedOf(document)?.id ?? document.draft?.recreates?.part;
-  const shown = document.parts.filter(({ hidden, id }) => !hidden && id !== inHand);
+  const inHand = [joinedOf(document)?.id, document.draft?.recreates?.part];
+  const shown = document.parts.filter(({ hidden, id }) => !hidden && !inHand.includes(id));
   return shown.map((part) => solidOf(part, resolution)).filter((solid) => solid !== null);
 }
 

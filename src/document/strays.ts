@@ -1,8 +1,8 @@
 /** Strokes that cannot be of one form, and where they are: asked of files, and of what commands make. */
 import type { Stroke } from '../stroke/stroke.ts';
-import { belongTogether, samePlane } from './command/addStroke.ts';
 import type { Fault } from './samples.ts';
 import { SAME_PLACE, type Section, type SectionStroke } from './surfacePart.ts';
+import { belongTogether, samePlane } from './together.ts';
 
 /** Strokes of one form lie on the plane of the first, and are open or closed like it. */
 export function strayIn(strokes: readonly Stroke[]): Fault | null {

@@ -118,16 +118,21 @@ const SOLIDS: readonly Command[] = [
   { type: 'scaleParts', ids: ['group-13', 'part-18'], factor: 1.1, about: [1, 2, 3] },
   { type: 'mirrorParts', ids: ['part-8', 'group-16', 'part-1'], about: [5, 0, 0], normal: [0.6, 0.8, 0] },
   { type: 'paste', parts: [PASTED], offset: [0, 0, 30] },
-  { type: 'setPartBrush', ids: ['group-10'], change: { colour: '#3f9690', radius: 4 } },
+  {
+    type: 'setPartBrush',
+    ids: ['group-10'],
+    change: { colour: '#3f9690', radius: 4, finish: { specular: 0.9 } },
+  },
   { type: 'showParts', ids: ['component-9'], visible: true },
   { type: 'moveParts', ids: ['group-13'], by: { rotation: [0, 0.6, 0, 0.8], translation: [0.1, -2, 7] } },
   { type: 'renamePart', id: 'group-13', name: 'Groove' },
   { type: 'renamePart', id: 'component-9', name: 'Sum' },
 ];
 
-const across = (x: number, dip: number) => strokeAlong((t) => [x + 25 * t, 0 - dip * Math.sin(3.1 * t)], {}, 8);
+const across = (x: number, dip: number) =>
+  strokeAlong((t) => [x + 25 * t, 0 - dip * Math.sin(3.1 * t)], {}, 8);
 const SIDE: Plane = { origin: [0, 1, 0], x: [0, 0, -1], y: [0, 1, 0] };
-const sideways = (by: number) => strokeAlong((t) => [by * t * t, 30 - 60 * t], { plane: SIDE }, 9);
+const sideways = (by: number) => strokeAlong((t) => [0 + by * t * t, 30 - 60 * t], { plane: SIDE }, 9);
 
 /** A surface with sections, backs, redraws and bends, another whose strokes are in hand. The next number is 25. */
 const SURFACES: readonly Command[] = [

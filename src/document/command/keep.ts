@@ -14,8 +14,8 @@ import { isFormInReach } from '../inReach.ts';
 import { placedStroke } from '../placedStroke.ts';
 import { withGroups } from '../solid.ts';
 import { PLAIN, strokesOfForm, withStrokes } from '../surfacePart.ts';
+import { samePlane } from '../together.ts';
 import { WORD } from '../words.ts';
-import { samePlane } from './addStroke.ts';
 import type { CommandKind } from './index.ts';
 
 /** The unfinished form becomes a part; strokes that stay tubes become one part each. Strokes of a part in hand go back to it. */
