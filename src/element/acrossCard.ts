@@ -8,8 +8,8 @@ import { type IconName, icon } from './icons.ts';
 import type { Session } from './session.ts';
 import { SECTION_WORDS } from './words.ts';
 
-/** px: narrower pages have the chip alone */
-const ROOM = 700;
+/** px: on narrower pages it would lie on the drawing, and the chip has the choice alone */
+const ROOM = 1100;
 
 /** px from the right edge that it covers */
 export const CARD_WIDTH = 336;
