@@ -58,7 +58,7 @@ const joinChoices = (document: Document): readonly JoinWord[] =>
 export function chipSize(document: Document, { width }: Size, backs = false): ChipSize {
   const forms = backs ? BACKS.length : formChoices(document).length;
   const joins = joinChoices(document).length > 0;
-  const words = width >= WORDY;
+  const words = backs || width >= WORDY;
   return {
     width: (forms > 0 ? 368 : 352) + forms * (words ? 90 : 46),
     narrow: forms > 0 || joins ? 304 : 190,

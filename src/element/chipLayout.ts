@@ -14,6 +14,9 @@ export const chipLayout = css`
   @container (max-width: 1099px) {
     .chip .forms .b { padding: 0; }
     .chip .forms .word { display: none; }
+    .chip .backs .b { padding: 0 0.75rem 0 0.5rem; }
+    .chip .backs .word { display: inline; }
+    .chip.narrow .backs .b { padding: 0; }
   }
   .chip.narrow { max-width: 19rem; }
   .chip.narrow .main { flex-wrap: wrap; }

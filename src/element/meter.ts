@@ -11,7 +11,9 @@ export function meter(session: Session): TemplateResult | typeof nothing {
   // while the pen closes an outline it already is what lifting would make it
   const { draft } = session.state.wet ? session.shown() : session.document;
   if (!draft) return nothing;
-  if (draft.strokes[0]?.closed) return closedMeter(session);
+  // closed sides of a part that is in hand again are no outline
+  const isSurface = draft.recreates !== undefined || draft.sections !== undefined;
+  if (draft.strokes[0]?.closed && !isSurface) return closedMeter(session);
   return session.document.draft ? numbered(session) : nothing;
 }
 
