@@ -1,8 +1,9 @@
 /** Surfaces as sheets before they are meshes: what tools ask for sections, spines and rows. Cached by reference. */
 import type { Curve } from '../stroke/curve.ts';
 import type { Stroke } from '../stroke/stroke.ts';
+import { type ControlNet, controlMesh } from '../surface/controlMesh.ts';
 import { type BendInput, deform } from '../surface/deform.ts';
-import { buildSheet, type SurfaceKind } from '../surface/index.ts';
+import { buildSheet, type PlacedOutline, type SurfaceKind } from '../surface/index.ts';
 import type { PatchOptions } from '../surface/patch.ts';
 import type { Sheet } from '../surface/sheet.ts';
 import { within } from '../surface/sideView.ts';
@@ -86,7 +87,7 @@ function unbent(
   resolution: Resolution | null,
 ): Sheet | null {
   const { strokes, sections, back, between, detail } = form;
-  const key = JSON.stringify([{ ...brush, colour: '' }, back, between, detail, resolution]);
+  const key = JSON.stringify([{ ...brush, colour: '', finish: null }, back, between, detail, resolution]);
   const known = sheets.get(strokes) ?? [];
   const found = known.find(
     (other) => other.kind === kind && other.key === key && other.sections === sections,
@@ -110,6 +111,22 @@ function built(
   const quads = resolution ?? quadsOf(form.detail);
   const patch = patchOf(form.between, form.detail, resolution);
   return buildSheet(kind, input, { radius, pressure, caps, ...quads, patch });
+}
+
+/** Of a patch with its bends, in the coordinates of its drawing plane; none of other surfaces. */
+export function controlNetsOf(kind: SurfaceKind, form: SurfaceForm, brush: Brush): readonly ControlNet[] {
+  const curves = kind === 'bspline' && form.between !== 'plain' ? curvesOf(form.strokes, brush) : null;
+  if (!curves) return [];
+  const { radius, pressure } = brush;
+  const input = { curves, radius, pressure, caps: 'none' as const };
+  const options = patchOf(form.between, form.detail, null);
+  return controlMesh(input, outlinesOf(kind, form, brush, curves), options, bendsOf(form, brush));
+}
+
+/** Of each section of a surface, in the order of its list; none where it has no strokes to speak of. */
+export function outlinesOfPart(kind: SurfaceKind, form: SurfaceForm, brush: Brush): readonly PlacedOutline[] {
+  const curves = curvesOf(form.strokes, brush);
+  return curves ? outlinesOf(kind, form, brush, curves) : [];
 }
 
 /** Null where one is too short to be a line. */

@@ -24,6 +24,7 @@ import drawings from 'lucide-static/icons/layout-grid.svg?raw';
 import lock from 'lucide-static/icons/lock.svg?raw';
 import full from 'lucide-static/icons/maximize.svg?raw';
 import scale from 'lucide-static/icons/maximize-2.svg?raw';
+import minus from 'lucide-static/icons/minus.svg?raw';
 import select from 'lucide-static/icons/mouse-pointer-2.svg?raw';
 import move from 'lucide-static/icons/move.svg?raw';
 import draw from 'lucide-static/icons/pencil.svg?raw';
@@ -120,6 +121,7 @@ const LUCIDE = {
   lock,
   more,
   open,
+  minus,
   plus,
   redo,
   save,

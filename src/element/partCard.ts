@@ -4,7 +4,7 @@ import { live } from 'lit/directives/live.js';
 import { CLAY, solidOf } from '../document/build.ts';
 import { itemsOf, nameOf } from '../document/command/changeParts.ts';
 import { LONGEST_NAME } from '../document/command/renamePart.ts';
-import { isSolid, type Part, RADIUS_RANGE, type SurfacePart } from '../document/document.ts';
+import { isSolid, isSurface, type Part, RADIUS_RANGE, type SurfacePart } from '../document/document.ts';
 import { chosenColour, chosenParts, coloursOf } from './chosenParts.ts';
 import { colourName, spheres } from './colours.ts';
 import { radiusToSlider, sliderToRadius } from './controls.ts';
@@ -13,6 +13,7 @@ import { flawsOf } from './flaws.ts';
 import { groupCard } from './groupCard.ts';
 import { madeOf } from './partRows.ts';
 import type { Session } from './session.ts';
+import { surfaceCard } from './surfaceCard.ts';
 import { PART_WORDS, SURFACE } from './words.ts';
 
 export function partCard(session: Session): TemplateResult {
@@ -24,6 +25,7 @@ export function partCard(session: Session): TemplateResult {
     ${chosen.length === 1 ? nameField(session, chosen[0]!) : html`<h3>${PART_WORDS.several(chosen.length)}</h3>`}
     <h3>${PART_WORDS.colour} <span class="value">${colourWords(session)}</span></h3>
     ${partColours(session)} ${partFinish(session)} ${radius(session, parts)}
+    ${parts.length === chosen.length && parts.every(isSurface) ? surfaceCard(session, parts) : nothing}
     ${parts.every(isSolid) ? groupCard(session) : nothing}
     ${only ? html`<p class="quiet-words">${facts(only)}</p>` : nothing}
     ${only ? flaws(session, only) : nothing}
