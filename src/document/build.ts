@@ -119,8 +119,8 @@ function painted(part: Part, shape: Mesh): Pick<Solid, 'colour' | 'finish' | 'me
 
 /** The kept parts that are not hidden, as meshes, but for one that the unfinished form becomes a part of, or was. */
 export function solids(document: Document, resolution: Resolution | null = null): Solid[] {
-  const inHand = joinedOf(document)?.id ?? document.draft?.recreates?.part;
-  const shown = document.parts.filter(({ hidden, id }) => !hidden && id !== inHand);
+  const inHand = [joinedOf(document)?.id, document.draft?.recreates?.part];
+  const shown = document.parts.filter(({ hidden, id }) => !hidden && !inHand.includes(id));
   return shown.map((part) => solidOf(part, resolution)).filter((solid) => solid !== null);
 }
 

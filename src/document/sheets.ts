@@ -67,7 +67,7 @@ const sheets = new WeakMap<readonly Stroke[], Known[]>();
 const KEPT = 4;
 
 /**
- * The surface with its bends, in the coordinates of its drawing plane; null when its strokes are too short, undefined nowhere.
+ * The surface with its bends, in the coordinates of its drawing plane; null when its strokes are too short or enclose nothing.
  * Without a resolution as finely as the form says.
  */
 export function sheetOf(
