@@ -1,7 +1,8 @@
 /** Surfaces as sheets before they are meshes: what tools ask for sections, spines and rows. Cached by reference. */
+import type { Vec3 } from '../math/vec.ts';
 import type { Curve } from '../stroke/curve.ts';
 import type { Stroke } from '../stroke/stroke.ts';
-import { type ControlNet, controlMesh } from '../surface/controlMesh.ts';
+import { controlNet, netLines } from '../surface/controlNet.ts';
 import { type BendInput, deform } from '../surface/deform.ts';
 import { buildSheet, type PlacedOutline, type SurfaceKind } from '../surface/index.ts';
 import type { PatchOptions } from '../surface/patch.ts';
@@ -113,14 +114,22 @@ function built(
   return buildSheet(kind, input, { radius, pressure, caps, ...quads, patch });
 }
 
-/** Of a patch with its bends, in the coordinates of its drawing plane; none of other surfaces. */
-export function controlNetsOf(kind: SurfaceKind, form: SurfaceForm, brush: Brush): readonly ControlNet[] {
+/** The lines of the control net of a patch, bent as it is, in the coordinates of its drawing plane; none of other surfaces. */
+export function controlLinesOf(
+  kind: SurfaceKind,
+  form: SurfaceForm,
+  brush: Brush,
+): readonly (readonly Vec3[])[] {
   const curves = kind === 'bspline' && form.between !== 'plain' ? curvesOf(form.strokes, brush) : null;
   if (!curves) return [];
   const { radius, pressure } = brush;
   const input = { curves, radius, pressure, caps: 'none' as const };
-  const options = patchOf(form.between, form.detail, null);
-  return controlMesh(input, outlinesOf(kind, form, brush, curves), options, bendsOf(form, brush));
+  const net = controlNet(
+    input,
+    outlinesOf(kind, form, brush, curves),
+    patchOf(form.between, form.detail, null),
+  );
+  return netLines(bendsOf(form, brush).reduce(deform, net));
 }
 
 /** Of each section of a surface, in the order of its list; none where it has no strokes to speak of. */

@@ -4,7 +4,7 @@ import { solidOf } from '../document/build.ts';
 import { nameOf } from '../document/command/changeParts.ts';
 import type { SurfacePart } from '../document/document.ts';
 import { RANGES } from '../document/limits.ts';
-import { quadsOf } from '../document/sheets.ts';
+import { sheetOf } from '../document/sheets.ts';
 import { DEFAULT_DETAIL, type Detail } from '../document/surfacePart.ts';
 import { iconButton } from './controls.ts';
 import { toggle } from './panelFrame.ts';
@@ -43,12 +43,17 @@ export function detailRows(session: Session, parts: readonly SurfacePart[]): Tem
 /** "64 × 64, 8,192 triangles" */
 function counts(parts: readonly SurfacePart[]): string {
   const triangles = parts.reduce((sum, part) => sum + (solidOf(part)?.mesh.indices.length ?? 0) / 3, 0);
-  const [first, ...others] = parts.map(({ detail }) => quadsOf(detail));
-  const isSame = first && others.every(({ u, v }) => u === first.u && v === first.v);
-  // patches choose their rows themselves, unless somebody did
-  const isKnown = parts.every(({ kind, detail }) => kind !== 'bspline' || detail.rows !== null);
-  const size = isSame && isKnown ? `${first.u} × ${first.v}, ` : '';
-  return `${size}${PART_WORDS.triangles(triangles)}`;
+  const [size, ...others] = parts.map(sizeOf);
+  const isSame = size && others.every((other) => other === size);
+  return `${isSame ? `${size}, ` : ''}${PART_WORDS.triangles(triangles)}`;
+}
+
+/** Quads along and across, without what shuts the ends. */
+function sizeOf(part: SurfacePart): string {
+  const sheet = sheetOf(part.kind, part, part.brush);
+  const along = sheet?.rows.filter(({ joined, at }, i) => i > 0 && joined && !at.rigid).length ?? 0;
+  const across = sheet?.columns.joined.filter(Boolean).length ?? 0;
+  return `${along} × ${across}`;
 }
 
 /** Every part by a step of its own, as one undo step. */

@@ -27,7 +27,7 @@ export function partCard(session: Session): TemplateResult {
     ${partColours(session)} ${partFinish(session)} ${radius(session, parts)}
     ${parts.length === chosen.length && parts.every(isSurface) ? surfaceCard(session, parts) : nothing}
     ${parts.every(isSolid) ? groupCard(session) : nothing}
-    ${only ? html`<p class="quiet-words">${facts(only)}</p>` : nothing}
+    ${only && !isSurface(only) ? html`<p class="quiet-words">${facts(only)}</p>` : nothing}
     ${only ? flaws(session, only) : nothing}
   </section>`;
 }

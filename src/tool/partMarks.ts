@@ -1,7 +1,7 @@
 /** What can be shown of a surface that is selected: one of its sections lit, or its control mesh with its strokes (thesis figs 3.7, 5.16). */
 import { controlsOfStroke } from '../document/curves.ts';
 import type { SurfacePart } from '../document/document.ts';
-import { controlNetsOf, sheetOf } from '../document/sheets.ts';
+import { controlLinesOf, sheetOf } from '../document/sheets.ts';
 import { place3 } from '../math/placement.ts';
 import { cross3 } from '../math/tuple.ts';
 import type { Vec2, Vec3 } from '../math/vec.ts';
@@ -10,16 +10,12 @@ import type { Stroke } from '../stroke/stroke.ts';
 import type { Sheet, SheetRow } from '../surface/sheet.ts';
 import type { Mark } from './marks.ts';
 
-/** The section at u on the form as it is, with where it is. */
+/** The section at u, on the form as it is. */
 export function sectionMarks(part: SurfacePart, u: number): readonly Mark[] {
   const sheet = sheetOf(part.kind, part, part.brush);
   const points = sheet && loopAt(sheet, u)?.map((p) => inWorld(part, p));
   if (!points || points.length < 2) return [];
-  const from = points[Math.floor(points.length / 2)]!;
-  return [
-    { kind: 'line', style: 'lit', points },
-    { kind: 'tag', at: points[0]!, from, value: Math.round(100 * u), unit: '%' },
-  ];
+  return [{ kind: 'line', style: 'lit', points }];
 }
 
 /** Points across the surface at u, between the rows beside it. */
@@ -40,21 +36,10 @@ function loopAt({ rows, spine }: Sheet, u: number): readonly Vec3[] | null {
 
 /** Its control mesh, where it has one, its strokes as they are, and their control points. */
 export function controlMarks(part: SurfacePart): readonly Mark[] {
-  const nets = controlNetsOf(part.kind, part, part.brush);
-  const rows = nets.flatMap((net) => net.rows.map((row) => ({ row, closed: net.closed })));
-  const columns = nets.flatMap(({ rows: all }) =>
-    (all[0] ?? []).map((_, j) => all.flatMap((row) => (row[j] ? [row[j]] : []))),
-  );
-  const world = (points: readonly Vec3[]) => points.map((p) => inWorld(part, p));
+  const lines = controlLinesOf(part.kind, part, part.brush);
   return [
-    ...columns.map((points): Mark => ({ kind: 'line', style: 'control', points: world(points) })),
-    ...rows.map(
-      ({ row, closed }): Mark => ({
-        kind: 'line',
-        style: 'control',
-        points: world(row),
-        ...(closed && { closed: true as const }),
-      }),
+    ...lines.map(
+      (points): Mark => ({ kind: 'line', style: 'control', points: points.map((p) => inWorld(part, p)) }),
     ),
     ...part.strokes.flatMap((stroke) => strokeMarks(part, stroke)),
   ];
