@@ -30,6 +30,7 @@ export const partsLayout = css`
   .handle.view { border-radius: 0.875rem; }
   .handle.view > span { width: 2.875rem; height: 2.875rem; border-radius: 0.875rem; background: var(--axis-view); color: var(--on-axis-view); }
   .handle:is(.surface, .turn, .scale) > span { width: 2.75rem; height: 2.75rem; background: var(--surface); color: var(--ink); border: 2px solid var(--edge); }
+  .handle:is(.turnX, .turnY) > span { width: 2.125rem; height: 2.125rem; background: var(--surface); color: var(--ink); border: 2px solid var(--edge); }
   .handle:hover > span { filter: brightness(1.08); }
 
   /* actions */

@@ -218,6 +218,8 @@ export const PART_WORDS = {
     z: 'Move along Z',
     surface: 'Slide over the surface',
     turn: 'Turn about the line of sight',
+    turnX: 'Tip forward and back',
+    turnY: 'Turn to the left and right',
     scale: 'Make it larger or smaller',
   },
   action: {
@@ -465,6 +467,7 @@ export const SOLID_WORDS = {
   noPaste: 'There is nothing of a drawing to paste',
   handle: { turn: 'Turn', scale: 'Scale' },
   turnHint: 'Drag around, with Shift in steps of 15°; arrow keys 1°, with Shift 10°.',
+  tiltHint: 'Drag up and down, or to the sides, with Shift in steps of 15°; arrow keys 1°, with Shift 10°.',
   scaleHint: 'Drag outward, with Shift in steps of 10 %; arrow keys 1 %, with Shift 10 %.',
 } as const;
 
