@@ -268,6 +268,13 @@ export const SURFACE_WORDS = {
   meshHint: 'The control mesh of patches, and strokes with their control points',
 } as const;
 
+/** Words of radii that are drawn. */
+export const SIZE_WORDS = {
+  draw: 'Draw it',
+  hint: 'Draw a line of that length, or a circle of that radius',
+  brush: (mm: number) => `${mm} mm: draw the radius`,
+} as const;
+
 /** Words of what surfaces do with light. */
 export const FINISH_WORDS = {
   finish: 'Finish',
