@@ -14,6 +14,7 @@ import type { Stroke } from '../stroke/stroke.ts';
 import type { Band, Pen, Wet } from '../tool/tool.ts';
 import { drawMarks } from './marks.ts';
 import type { Session } from './session.ts';
+import { surfaceMarks } from './surfaceMarks.ts';
 
 export interface InkColours {
   readonly ink: string;
@@ -66,7 +67,7 @@ export function drawInk(
   for (const mark of session.notice?.marks ?? []) drawMark(context, mark, session, colours);
   if (session.state.wet) drawWet(context, session.state.wet, predicted, colours);
   const { marks = session.state.marked?.(session) } = session.state;
-  if (marks) drawMarks(context, marks, session, colours);
+  drawMarks(context, [...surfaceMarks(session), ...(marks ?? [])], session, colours);
   if (session.state.band) drawBand(context, session.state.band, colours);
 }
 
