@@ -312,7 +312,7 @@ export const EDIT_WORDS = {
   which: 'Tap the part to bend',
   bendFact: (index: number) => `bend ${index + 1}`,
   length: 'Length',
-  kept: 'Kept',
+  kept: 'Length kept',
   keptHint: 'It stays as long as it was',
   stretched: 'Stretched',
   stretchedHint: 'It reaches as far as the stroke',

@@ -10,18 +10,13 @@ import { joinsDraft } from '../document/command/addStroke.ts';
 import { apply, type Command } from '../document/command/index.ts';
 import { type Document, isSolid, type Joins, readingOf } from '../document/document.ts';
 import { partsWithDraft } from '../document/draftPart.ts';
-import { LIMITS } from '../document/limits.ts';
 import { length2 } from '../math/tuple.ts';
 import { facingPlane } from '../stroke/plane.ts';
-import type { Plane, Stroke, View } from '../stroke/stroke.ts';
+import type { Plane, Stroke } from '../stroke/stroke.ts';
 import { isEdgeOn, strokeOn } from './penStroke.ts';
 import type { Bench, Pen, State } from './tool.ts';
+import { isClosing, LEAST_LENGTH, type Trace, traced, traceFrom } from './trace.ts';
 import type { Hit } from './viewport.ts';
-
-/** Pixels. A tube is shown from here on, and a shorter gesture is a dot. */
-const MINIMUM = 12;
-/** Pixels, or this share of the length, whichever is more: near enough to the start to close. */
-const CLOSING = { pixels: 24, share: 0.04, least: 4 } as const;
 
 export const idle: State = {
   name: 'draw.idle',
@@ -32,7 +27,7 @@ export const idle: State = {
       bench.notify('edge-on');
       return undefined;
     }
-    return drawing({ pens: [pen], ground, view, length: 0, reach: 0 });
+    return drawing({ ...traceFrom(pen, view), ground });
   },
   cancel: () => idle,
 };
@@ -48,55 +43,25 @@ interface Ground {
   readonly joins: Joins | null;
 }
 
-interface Drawn {
-  readonly pens: Pen[];
+interface Drawn extends Trace {
   readonly ground: Ground;
-  readonly view: View;
-  /** pixels along the path, and the furthest it has been from its start */
-  readonly length: number;
-  readonly reach: number;
 }
 
 function drawing(drawn: Drawn): State {
   const { pens, ground } = drawn;
   return {
-    name: drawn.length < MINIMUM ? 'draw.pointing' : 'draw.drawing',
+    name: drawn.length < LEAST_LENGTH ? 'draw.pointing' : 'draw.drawing',
     wet: { pens, on: ground.on, closing: isClosing(drawn) },
     preview: (bench) => previewOf(drawn, bench),
-    move: (more) => drawing(more.reduce(extend, drawn)),
+    move: (more) => drawing({ ...drawn, ...traced(drawn, more) }),
     up(bench) {
-      const stroke = drawn.length < MINIMUM ? null : strokeOf(drawn, bench);
+      const stroke = drawn.length < LEAST_LENGTH ? null : strokeOf(drawn, bench);
       if (stroke) bench.commit(plan(bench.document, stroke, ground.joins));
       else bench.notify('too-short', pointPlan(drawn, bench));
       return idle;
     },
     cancel: () => idle,
   };
-}
-
-/** The pen's path is only ever appended to: copying it at each event would cost the square of its length.
- * What a file cannot hold is not drawn. */
-function extend(drawn: Drawn, pen: Pen): Drawn {
-  if (drawn.pens.length >= LIMITS.samples) return drawn;
-  const last = drawn.pens.at(-1) ?? pen;
-  const first = drawn.pens[0] ?? pen;
-  drawn.pens.push(pen);
-  return {
-    ...drawn,
-    length: drawn.length + length2([pen.x - last.x, pen.y - last.y]),
-    reach: Math.max(drawn.reach, length2([pen.x - first.x, pen.y - first.y])),
-  };
-}
-
-/** Near the start again, after having been clearly away from it. */
-function isClosing({ pens, length, reach }: Drawn): boolean {
-  // of a small loop half its size at most: a ring of a few pixels is one, too
-  const most = Math.max(CLOSING.least, 0.5 * reach);
-  const tolerance = Math.min(Math.max(CLOSING.pixels, CLOSING.share * length), most);
-  const first = pens[0];
-  const last = pens.at(-1);
-  if (!first || !last || reach < 1.5 * tolerance || length < 4 * tolerance) return false;
-  return length2([last.x - first.x, last.y - first.y]) <= tolerance;
 }
 
 /** The second stroke of a form joins it wherever it starts. */
@@ -178,7 +143,7 @@ function settled(document: Document): readonly Command[] {
 
 /** A tube from its first 12 px on, a solid while it closes; a rotational surface once the second stroke is half as long as the first. */
 function previewOf(drawn: Drawn, bench: Bench): Document | null {
-  const stroke = drawn.length >= MINIMUM ? strokeOf(drawn, bench) : null;
+  const stroke = drawn.length >= LEAST_LENGTH ? strokeOf(drawn, bench) : null;
   if (!stroke) return null;
   const commands = plan(bench.document, stroke, drawn.ground.joins);
   const first = bench.document.draft?.strokes[0];
