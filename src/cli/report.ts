@@ -23,7 +23,9 @@ export interface Counts extends BodyCounts {
 }
 
 export function countsOf({ parts, draft }: Document): Counts {
-  const inParts = parts.reduce((sum, part) => sum + strokesOf(part).length, 0);
+  // strokes in hand are those of a part
+  const own = parts.filter(({ id }) => id !== draft?.recreates?.part);
+  const inParts = own.reduce((sum, part) => sum + strokesOf(part).length, 0);
   const strokes = inParts + (draft ? strokesOfForm(formOfDraft(draft)).length : 0);
   const bodies = parts.filter(isImplicit).map(countsOfPart);
   return { parts: parts.length, strokes, ...sumOf(bodies) };
@@ -33,7 +35,7 @@ export function countsOf({ parts, draft }: Document): Counts {
 export function leftOut({ parts, draft }: Document): string[] {
   const warnings: string[] = [];
   if (draft) {
-    const count = draft.strokes.length;
+    const count = strokesOfForm(formOfDraft(draft)).length;
     warnings.push(`the unfinished form (${count} ${count === 1 ? 'stroke' : 'strokes'}) is left out`);
   }
   const hidden = parts.filter(({ hidden }) => hidden);

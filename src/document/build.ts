@@ -6,37 +6,30 @@
 import type { Mesh } from '../mesh/mesh.ts';
 import { placed } from '../mesh/placed.ts';
 import type { Stroke } from '../stroke/stroke.ts';
-import { buildSurface, type SurfaceKind } from '../surface/index.ts';
+import { type SurfaceKind, sheetMesh } from '../surface/index.ts';
 import { bodyMade } from './bodies.ts';
+import { curveOfStroke } from './curves.ts';
 import {
   type Brush,
   colourOf,
   type Document,
   type Draft,
+  finishOf,
   formOfDraft,
   isSurface,
   type Part,
   readingOf,
 } from './document.ts';
 import { draftPart, hasDraftGroup, joinedOf } from './draftPart.ts';
+import type { Finish } from './finish.ts';
+import { type Resolution, sheetOf } from './sheets.ts';
 import { nodeOf } from './solidNode.ts';
-import { inputOf } from './surfaceInput.ts';
-import { DEFAULT_DETAIL, type Detail, PLAIN, type SurfaceForm } from './surfacePart.ts';
+import { PLAIN, type SurfaceForm } from './surfacePart.ts';
 
-/** Quads along and around a parametric surface. */
-export interface Resolution {
-  readonly u: number;
-  readonly v: number;
-}
+export { quadsOf, type Resolution } from './sheets.ts';
 
 /** Quads that surfaces have when nobody set any. */
 export const RESOLUTION: Resolution = { u: 64, v: 64 };
-
-/** As finely as a surface says itself; patches divide their spans by themselves. */
-export const quadsOf = ({ rows, columns, u, v }: Detail): Resolution => ({
-  u: (rows ?? DEFAULT_DETAIL.columns) << u,
-  v: columns << v,
-});
 
 /** A mesh with what it is shown by. */
 export interface Solid {
@@ -45,6 +38,7 @@ export interface Solid {
   readonly kind: Part['kind'];
   /** #rrggbb; where the mesh has colours of its own those count */
   readonly colour: string;
+  readonly finish: Finish;
   readonly mesh: Mesh;
 }
 
@@ -55,17 +49,13 @@ export function buildForm(
   brush: Brush,
   resolution: Resolution | null = null,
 ): Mesh | null {
-  const plane = form.strokes[0]?.plane;
-  const input = inputOf(form, brush);
-  if (!plane || !input) return null;
-  const { radius, pressure, caps } = brush;
-  const quads = resolution ?? quadsOf(form.detail);
-  return buildSurface(kind, input, plane, { radius, pressure, caps, ...quads });
+  if (form.strokes.some((stroke) => !curveOfStroke(stroke, brush))) return null;
+  return sheetMesh(sheetOf(kind, form, brush, resolution), form.strokes[0]!.plane);
 }
 
 interface Shape extends Pick<SurfaceForm, 'sections' | 'bends'> {
   readonly kind: SurfaceKind;
-  /** of what is no list; without the colour, which no mesh depends on */
+  /** of what is no list; without colour and finish, which no mesh depends on */
   readonly key: string;
   readonly mesh: Mesh | null;
 }
@@ -87,7 +77,7 @@ function surfaceOf(
   resolution: Resolution | null = null,
 ): Mesh | null {
   const { strokes, sections, bends, back, between, detail } = form;
-  const key = JSON.stringify([{ ...brush, colour: '' }, back, between, detail, resolution]);
+  const key = JSON.stringify([{ ...brush, colour: '', finish: null }, back, between, detail, resolution]);
   const known = shapes.get(strokes) ?? [];
   const isIt = (shape: Shape) =>
     shape.kind === kind && shape.key === key && shape.sections === sections && shape.bends === bends;
@@ -120,17 +110,17 @@ export function solidOf(part: Part, resolution: Resolution | null = null): Solid
 export const CLAY = '#cbcbcb';
 
 /** In its place; one colour covers those of the mesh, and says more exactly what all of its groups have. */
-function painted(part: Part, shape: Mesh): Pick<Solid, 'colour' | 'mesh'> {
+function painted(part: Part, shape: Mesh): Pick<Solid, 'colour' | 'finish' | 'mesh'> {
   const colour = colourOf(part);
   const { colours, ...plain } = shape;
   const mesh = colour === null || !colours ? shape : plain;
-  return { colour: colour ?? CLAY, mesh: placed(mesh, part.placement) };
+  return { colour: colour ?? CLAY, finish: finishOf(part), mesh: placed(mesh, part.placement) };
 }
 
 /** The kept parts that are not hidden, as meshes, but for one that the unfinished form becomes a part of, or was. */
 export function solids(document: Document, resolution: Resolution | null = null): Solid[] {
-  const inHand = joinedOf(document)?.id ?? document.draft?.recreates?.part;
-  const shown = document.parts.filter(({ hidden, id }) => !hidden && id !== inHand);
+  const inHand = [joinedOf(document)?.id, document.draft?.recreates?.part];
+  const shown = document.parts.filter(({ hidden, id }) => !hidden && !inHand.includes(id));
   return shown.map((part) => solidOf(part, resolution)).filter((solid) => solid !== null);
 }
 
@@ -166,7 +156,9 @@ export function draftSolids(document: Document): Solid[] {
   const forms = kind === 'tube' ? tubesOf(draft) : [whole];
   const found = forms.flatMap((form, i) => {
     const mesh = surfaceOf(kind, form, brush);
-    return mesh ? [{ id: `draft-${i}`, name: '', kind, colour: brush.colour, mesh }] : [];
+    return mesh
+      ? [{ id: `draft-${i}`, name: '', kind, colour: brush.colour, finish: brush.finish, mesh }]
+      : [];
   });
   drafts.set(draft, { brush, kind, solids: found });
   return found;

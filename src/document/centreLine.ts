@@ -5,10 +5,11 @@ import type { Plane } from '../stroke/stroke.ts';
 import { deform } from '../surface/deform.ts';
 import type { Spine } from '../surface/sheet.ts';
 import { sourceOf } from '../surface/source.ts';
+import { curveOfStroke } from './curves.ts';
 import type { SurfacePart } from './document.ts';
-import { inputOf } from './surfaceInput.ts';
+import { bendOf } from './sheets.ts';
 
-type Part = Pick<SurfacePart, 'strokes' | 'sections' | 'bends' | 'brush' | 'back' | 'between' | 'detail'>;
+type Part = Pick<SurfacePart, 'strokes' | 'bends' | 'brush'>;
 
 interface Known {
   readonly bends: Part['bends'];
@@ -43,12 +44,14 @@ function known(part: Part, count: number): Known {
 }
 
 function derived(part: Part, count: number): Spine | null {
-  const input = inputOf({ ...part, bends: part.bends.slice(0, count) }, part.brush);
-  if (!input) return null;
-  const source = sourceOf({ curves: input.curves, ...part.brush });
+  const { strokes, brush, bends } = part;
+  const curves = strokes.map((stroke) => curveOfStroke(stroke, brush)).filter((curve) => curve !== null);
+  if (curves.length === 0 || curves.length < strokes.length) return null;
+  const source = sourceOf({ ...brush, curves });
   if (!(source.length > 0)) return null;
   const bare = { rows: [], columns: { vs: [], joined: [] }, spine: source.spine };
-  return input.bends.reduce(deform, bare).spine;
+  const inForce = bends.slice(0, count).filter(({ isOff }) => !isOff);
+  return inForce.flatMap((bend) => bendOf(bend, strokes[0]!.plane, brush)).reduce(deform, bare).spine;
 }
 
 function pointsOf({ stops, at }: Spine, plane: Plane): Vec3[] {

@@ -93,7 +93,7 @@ export function applyChecked(
   const known = new Set(ids.length ? itemsOf(document).map(({ id }) => id) : []);
   const missing = ids.findIndex((id) => !known.has(id));
   if (missing >= 0) {
-    const place = 'id' in command ? ['id'] : ['ids', missing];
+    const place = 'ids' in command ? ['ids', missing] : ['id' in command ? 'id' : 'part'];
     throw expected(file, [...path, ...place], 'the id of a part that is there by then', ids[missing]);
   }
   const { joins, place: at } = joinsOf(command);

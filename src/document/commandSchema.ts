@@ -18,6 +18,7 @@ import {
   name,
   placement,
   point,
+  redrawnStroke,
   sectionStroke,
   skeleton,
   stroke,
@@ -73,7 +74,12 @@ const kinds = [
   kind('editSkeleton', { id: name, skeleton: v.nullable(skeleton) }),
   kind('addSection', { ...whose, u, drawn: sectionStroke, side: v.exactOptional(oneOf(['front', 'back'])) }),
   kind('removeSection', { ...whose, index, only: v.exactOptional(oneOf(['back', 'redraw'])) }),
-  kind('redrawSection', { ...whose, u, drawn: sectionStroke }),
+  kind('redrawSection', {
+    ...whose,
+    u,
+    drawn: redrawnStroke,
+    local: v.exactOptional(v.literal(true, 'true')),
+  }),
   kind('setStroke', { ...whose, index, stroke: v.nullable(stroke) }),
   kind('setSurface', { ids: v.exactOptional(ids), change: surfaceChange }),
   kind('bend', { id: name, bend }),
@@ -95,6 +101,7 @@ export const command = v.variant('type', kinds, `one of ${types.join(', ')}`) sa
 
 /** Parts that a command names. */
 export function idsOf(command: Command): readonly string[] {
-  if ('ids' in command) return command.ids;
+  if ('ids' in command) return command.ids ?? [];
+  if ('part' in command) return command.part === undefined ? [] : [command.part];
   return 'id' in command ? [command.id] : [];
 }

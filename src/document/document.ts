@@ -7,8 +7,9 @@ import type { Placement } from '../math/placement.ts';
 import type { FilterOptions } from '../stroke/filter.ts';
 import type { Stroke } from '../stroke/stroke.ts';
 import type { SurfaceKind } from '../surface/index.ts';
+import { DEFAULT_FINISH, type Finish } from './finish.ts';
 import { type Component, type Form, groupsOf, isForm } from './solid.ts';
-import { kindOfStrokes, PLAIN, type SurfaceForm, strokesOfForm } from './surfacePart.ts';
+import { PLAIN, type SurfaceForm, steppedBack, strokesOfForm } from './surfacePart.ts';
 
 /** What the next form is made with; a kept part has its own copy. */
 export interface Brush {
@@ -23,6 +24,8 @@ export interface Brush {
   readonly filter: FilterOptions['filter'];
   /** levels of reverse subdivision, 0–6 */
   readonly levels: number;
+  /** how it answers light */
+  readonly finish: Finish;
 }
 
 /** What every part has, whatever it is made of. */
@@ -72,6 +75,12 @@ export function colourOf(part: Part): string | null {
   if (isSurface(part)) return part.brush.colour;
   const [first, ...others] = groupsOf(part).map(({ brush }) => brush.colour);
   return others.every((colour) => colour === first) ? (first ?? null) : null;
+}
+
+/** A solid is of one material, that of its first form; colours alone blend. */
+export function finishOf(part: Part): Finish {
+  if (isSurface(part)) return part.brush.finish;
+  return isSolid(part) ? groupsOf(part)[0]!.brush.finish : DEFAULT_FINISH;
 }
 
 /** What a part is made of. */
@@ -130,6 +139,7 @@ export const DEFAULT_BRUSH: Brush = {
   caps: true,
   filter: 'least-squares',
   levels: 3,
+  finish: DEFAULT_FINISH,
 };
 
 export const RADIUS_RANGE = { min: 0.5, max: 60 } as const;
@@ -151,18 +161,15 @@ export function readingOf({ draft, tubesOnly }: Document): Reading | null {
   const { strokes = [], sections = [], form } = draft ?? {};
   if (strokes.length === 0) return null;
   if (form !== undefined && isForm(form)) return 'solid';
-  if (tubesOnly || form === 'tube') return 'tube';
+  if (form === 'tube' || staysTubes({ draft, tubesOnly })) return 'tube';
   const isUnsaid = form === undefined && sections.length === 0;
   if (strokes[0]!.closed && isUnsaid && !draft?.recreates) return 'solid';
-  return steppedBack(kindOfStrokes({ strokes, sections }), form);
+  return steppedBack({ strokes, sections }, form);
 }
 
-/** A person may have gone back to what fewer strokes make; no stroke is lost. */
-function steppedBack(kind: SurfaceKind, form: SurfaceKind | undefined): SurfaceKind {
-  const steps: readonly SurfaceKind[] = ['tube', 'rotational', 'crossSection', 'bspline'];
-  const wanted = form && steps.indexOf(form) < steps.indexOf(kind) ? form : kind;
-  return wanted;
-}
+/** Strokes of a part that are in hand again are what the part was, whatever others become. */
+export const staysTubes = ({ draft, tubesOnly }: Pick<Document, 'draft' | 'tubesOnly'>): boolean =>
+  tubesOnly && !draft?.recreates;
 
 /** The unfinished form as surfaces are made of it. */
 export const formOfDraft = ({ strokes, sections, back, between, detail }: Draft): SurfaceForm => ({

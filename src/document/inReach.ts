@@ -2,6 +2,7 @@
 import { FARTHEST, isInReach, type Stroke } from '../stroke/stroke.ts';
 import { RANGES } from './limits.ts';
 import type { Group } from './solid.ts';
+import { type SurfaceForm, strokesOfForm } from './surfacePart.ts';
 
 export const areInReach = (strokes: readonly Stroke[]): boolean =>
   strokes.every(
@@ -10,6 +11,16 @@ export const areInReach = (strokes: readonly Stroke[]): boolean =>
       view.height >= RANGES.height.min &&
       view.height <= RANGES.height.max &&
       samples.every(({ x, y }) => isInReach([x, y])),
+  );
+
+/** All strokes of a surface, and the chords that sections were drawn over. */
+export const isFormInReach = (form: Pick<SurfaceForm, 'strokes' | 'sections' | 'bends'>): boolean =>
+  areInReach(strokesOfForm(form)) &&
+  form.sections.every(({ front, back, redraws }) =>
+    [front, back, ...redraws].every((drawn) => {
+      const half = drawn?.half ?? null;
+      return half === null || (half >= RANGES.half.min && half <= RANGES.half.max);
+    }),
   );
 
 export function isGroupInReach({ strokes, skeleton }: Pick<Group, 'strokes' | 'skeleton'>): boolean {

@@ -36,6 +36,10 @@ export const RANGES = {
   /** T */
   fieldThreshold: { min: 1e-6, max: 1e6 },
   levels: { min: 0, max: 6 },
+  /** of finishes: factors of ambient and diffuse light, strength and exponent of the highlight */
+  light: { min: 0, max: 2 },
+  specular: { min: 0, max: 1 },
+  shininess: { min: 1, max: 200 },
   /** along construction curves */
   u: { min: 0, max: 1 },
   /** mm: half a chord */

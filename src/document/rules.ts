@@ -10,15 +10,14 @@ import { dot3, length3 } from '../math/tuple.ts';
 import type { Quat, Vec3 } from '../math/vec.ts';
 import type { MedialGraph } from '../skeleton/medial/axis.ts';
 import { FieldError } from '../skeleton/skeleton.ts';
-import type { Stroke } from '../stroke/stroke.ts';
-import { belongTogether, samePlane } from './command/addStroke.ts';
 import { itemsOf } from './command/changeParts.ts';
 import type { BodyPart, Document, Draft, Part, SolidPart, SurfacePart } from './document.ts';
 import { LIMITS, UNIT_TOLERANCE } from './limits.ts';
 import { type Fault, pathTo } from './samples.ts';
 import { isTooLarge, SIZE } from './size.ts';
 import { type Component, EXTRUSION, type Group, isForm, MOST_HOLES, mostStrokes } from './solid.ts';
-import { MADE_OF, type Section, type SectionStroke } from './surfacePart.ts';
+import { strayIn, straySection } from './strays.ts';
+import { MADE_OF } from './surfacePart.ts';
 import { WORD } from './words.ts';
 
 /** A rule as a step of a schema; it is asked only where every field is what it should be. */
@@ -56,13 +55,6 @@ export const rotationRules = <T extends Quat>() =>
     return isNear(length, 1) ? null : { expected: 'a unit quaternion, four numbers', path: [] };
   });
 
-/** Strokes of one form lie on the plane of the first, and are open or closed like it. */
-function strayIn(strokes: readonly Stroke[]): Fault | null {
-  const i = strokes.findIndex((stroke) => !belongTogether(strokes[0]!, stroke));
-  const expected = 'a stroke on the very plane of strokes[0], open or closed like it';
-  return i < 0 ? null : { expected, path: ['strokes', i] };
-}
-
 export const partRules = <T extends Pick<SurfacePart, 'kind' | 'strokes' | 'sections'>>() =>
   rule<T>(({ kind, strokes, sections }) => {
     const { strokes: count, sections: needed } = MADE_OF[kind];
@@ -79,46 +71,23 @@ export const partRules = <T extends Pick<SurfacePart, 'kind' | 'strokes' | 'sect
     return strayIn(strokes) ?? straySection(strokes, sections);
   });
 
-/** Sections are in order, and those drawn across lie on the plane of the construction curves. */
-function straySection(strokes: readonly Stroke[], sections: readonly Section[]): Fault | null {
-  const [first] = strokes;
-  for (const [i, { u, front, back, redraws }] of sections.entries()) {
-    if (i > 0 && u < sections[i - 1]!.u)
-      return { expected: 'sections in the order of u', path: ['sections', i, 'u'] };
-    const isAcross = (drawn: SectionStroke | null) => drawn?.half === null;
-    const isStray = (drawn: SectionStroke | null) =>
-      isAcross(drawn) && !samePlane(first!.plane, drawn!.stroke.plane);
-    const path = ['sections', i];
-    if (isStray(front)) return { expected: ON_PLANE, path: [...path, 'front'] };
-    if (isStray(back)) return { expected: ON_PLANE, path: [...path, 'back'] };
-    const k = redraws.findIndex(isAcross);
-    if (k >= 0)
-      return {
-        expected: 'half, mm: it lies on the plane of the section',
-        path: [...path, 'redraws', k, 'half'],
-      };
-  }
-  return null;
-}
-
-const ON_PLANE = 'a stroke on the very plane of strokes[0]';
-
 /** of one form */
 const MOST_STROKES = Math.max(...Object.values(MADE_OF).map(({ strokes }) => strokes.most));
 
 export const draftRules = <T extends Draft>() =>
-  rule<T>(({ strokes, form, sections = [] }) => {
-    const [first] = strokes;
-    const most = mostOf(form, first?.closed ?? false);
+  rule<T>((draft) => {
+    const { strokes, sections = [] } = draft;
+    const most = mostOf(draft);
     if (strokes.length >= 1 && strokes.length <= most)
       return strayIn(strokes) ?? straySection(strokes, sections);
     return { expected: `1 to ${most} strokes, else null for the whole draft`, path: ['strokes'] };
   });
 
 /** Closed strokes may be made tubes of, one each, however many there are. */
-function mostOf(form: Draft['form'], isClosed: boolean): number {
+function mostOf({ form, strokes, sections = [], recreates }: Draft): number {
   if (form !== undefined && isForm(form)) return mostStrokes(form);
-  return isClosed && form !== 'rotational' ? MOST_HOLES + 1 : MOST_STROKES;
+  const isUnsaid = form === undefined && sections.length === 0 && !recreates;
+  return strokes[0]?.closed && (isUnsaid || form === 'tube') ? MOST_HOLES + 1 : MOST_STROKES;
 }
 
 /** Outlines have holes; everything else is of one stroke. */

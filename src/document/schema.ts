@@ -9,6 +9,7 @@ import { surfaces } from '../surface/index.ts';
 import { type Brush, DEFAULT_BRUSH, type Document, EMPTY_DOCUMENT, type Part } from './document.ts';
 import { FRONT_VIEW } from './drawing.ts';
 import { between, fields, flag, list, number, oneOf, some, text, whole } from './fields.ts';
+import { type BrushChange, DEFAULT_FINISH } from './finish.ts';
 import { LIMITS, RANGES, type Range } from './limits.ts';
 import { BACKGROUNDS, DEFAULT_LOOK, KERNEL_CHOICES, type Look, MODES, STYLES } from './look.ts';
 import { node } from './nodeSchema.ts';
@@ -92,6 +93,20 @@ export const stroke = fields({
 
 export const colour = v.pipe(v.string('a colour #rrggbb'), v.regex(/^#[0-9a-fA-F]{6}$/, 'a colour #rrggbb'));
 
+const finishFields = {
+  ambient: number(RANGES.light),
+  diffuse: number(RANGES.light),
+  specular: number(RANGES.specular),
+  shininess: number(RANGES.shininess),
+};
+
+const finish = fields({
+  ambient: v.optional(finishFields.ambient, DEFAULT_FINISH.ambient),
+  diffuse: v.optional(finishFields.diffuse, DEFAULT_FINISH.diffuse),
+  specular: v.optional(finishFields.specular, DEFAULT_FINISH.specular),
+  shininess: v.optional(finishFields.shininess, DEFAULT_FINISH.shininess),
+});
+
 const brushFields = {
   colour,
   radius: v.pipe(number(RANGES.radius), v.description('of tubes, mm')),
@@ -108,6 +123,7 @@ export const brush = fields({
   caps: v.optional(brushFields.caps, DEFAULT_BRUSH.caps),
   filter: v.optional(brushFields.filter, DEFAULT_BRUSH.filter),
   levels: v.optional(brushFields.levels, DEFAULT_BRUSH.levels),
+  finish: v.optional(finish, DEFAULT_FINISH),
 }) satisfies v.GenericSchema<unknown, Brush>;
 
 /** Some of the brush. */
@@ -118,7 +134,15 @@ export const brushChange = fields({
   caps: v.exactOptional(brushFields.caps),
   filter: v.exactOptional(brushFields.filter),
   levels: v.exactOptional(brushFields.levels),
-}) satisfies v.GenericSchema<unknown, Partial<Brush>>;
+  finish: v.exactOptional(
+    fields({
+      ambient: v.exactOptional(finishFields.ambient),
+      diffuse: v.exactOptional(finishFields.diffuse),
+      specular: v.exactOptional(finishFields.specular),
+      shininess: v.exactOptional(finishFields.shininess),
+    }),
+  ),
+}) satisfies v.GenericSchema<unknown, BrushChange>;
 
 export const name = text(1, LIMITS.name);
 const kinds = Object.keys(surfaces) as unknown as readonly (keyof typeof surfaces)[];
@@ -134,11 +158,18 @@ export const sectionStroke = fields({
   half: v.optional(v.nullable(v.pipe(number(RANGES.half), v.description('mm'))), null),
 });
 
+/** Drawn over a section. */
+export const redrawnStroke = fields({
+  stroke,
+  half: v.pipe(number(RANGES.half), v.description('mm')),
+});
+
 export const section = fields({
   u,
   front: v.optional(v.nullable(sectionStroke), null),
   back: v.optional(v.nullable(sectionStroke), null),
-  redraws: v.optional(list(sectionStroke, LIMITS.redraws, 'redrawn strokes'), []),
+  redraws: v.optional(list(redrawnStroke, LIMITS.redraws, 'redrawn strokes'), []),
+  follows: v.exactOptional(v.literal(true, 'true')),
 });
 
 const bendFields = { stroke, keepsLength: flag, isOff: flag };

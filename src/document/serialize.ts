@@ -8,7 +8,9 @@ import { partsOf } from '../field/numbered.ts';
 import { applyChecked, checked } from './check.ts';
 import { apply, type Command } from './command/index.ts';
 import {
+  type Brush,
   type Document,
+  type Draft,
   EMPTY_DOCUMENT,
   formOfDraft,
   isBody,
@@ -29,10 +31,12 @@ import {
   VERSIONS,
   type Version,
 } from './fileSchema.ts';
+import { isPlainFinish } from './finish.ts';
 import { readJson } from './json.ts';
 import { layout } from './layout.ts';
 import { LIMITS } from './limits.ts';
 import { DEFAULT_LOOK } from './look.ts';
+import { groupsOf } from './solid.ts';
 import { isPlain } from './surfacePart.ts';
 import { writtenCommand, writtenDocument, writtenLook, writtenView } from './written.ts';
 
@@ -87,7 +91,7 @@ function formatOf({ format, version }: { format?: unknown; version?: unknown }, 
 }
 
 /** What came with a version. */
-const NEWS: Partial<Record<Version, string>> = { 2: 'bodies', 4: 'solids', 5: 'sections or bends' };
+const NEWS: Partial<Record<Version, string>> = { 2: 'bodies', 4: 'solids', 5: 'sections, bends or finishes' };
 
 /** A program of that version would lose the bodies, so that nothing wrote such a file. */
 function checkVersion(version: Version, needed: Version, file: string): void {
@@ -143,13 +147,30 @@ const versionOf = (document: Document): Version =>
   readingOf(document) === 'solid' ? (Math.max(SOLIDS, neededFor(document)) as Version) : neededFor(document);
 
 /** The lowest that knows the fields there are. Earlier ones read closed strokes otherwise (earlier.ts). */
-function neededFor({ parts, draft }: Document): Version {
+function neededFor(document: Document): Version {
+  const { parts, draft } = document;
+  if (!brushesOf(document).every(({ finish }) => isPlainFinish(finish))) return SECTIONS;
   if (!parts.filter(isSurface).every(isPlain)) return SECTIONS;
-  if (draft && (draft.recreates || !isPlain(formOfDraft(draft)))) return SECTIONS;
+  if (draft && (draft.recreates || isLatest(draft) || !isPlain(formOfDraft(draft)))) return SECTIONS;
   if (parts.some(isSolid) || draft?.form || draft?.joins || draft?.carves) return SOLIDS;
   const bodies = parts.filter(isBody);
   if (bodies.some(({ node }) => hasWidths(node))) return SOLIDS;
   return bodies.length > 0 ? 2 : 1;
+}
+
+/** The first version that has sections, bends and what goes with them. */
+const SECTIONS: Version = 5;
+
+/** Forms that came with them. */
+const isLatest = ({ form }: { readonly form?: Draft['form'] | null }): boolean =>
+  form === 'crossSection' || form === 'bspline';
+
+function brushesOf({ brush, draft, parts }: Document): readonly Brush[] {
+  const own = parts.flatMap((part) => {
+    if (isSolid(part)) return groupsOf(part).map((group) => group.brush);
+    return isSurface(part) ? [part.brush] : [];
+  });
+  return [brush, ...(draft?.recreates ? [draft.recreates.brush] : []), ...own];
 }
 
 /** Terms with a width of the kernel of their own came with solids. */
@@ -160,16 +181,12 @@ const hasWidths = (node: FieldNode): boolean =>
 const LATE: readonly Command['type'][] = [
   'scaleParts',
   'mirrorParts',
-  'paste',
   'setForm',
   'setGroups',
   'setComponents',
   'moveGroups',
   'editSkeleton',
 ];
-
-/** The first version that has sections, bends and what goes with them. */
-const SECTIONS: Version = 5;
 
 const LATEST: readonly Command['type'][] = [
   'addSection',
@@ -191,6 +208,10 @@ function versionOfCommand(command: Command): Version {
 function neededBy(command: Command): Version {
   if (command.type === 'load') return neededFor(command.document);
   if (LATEST.includes(command.type)) return SECTIONS;
+  if ('change' in command && command.change && 'finish' in command.change) return SECTIONS;
+  if (command.type === 'paste')
+    return Math.max(SOLIDS, neededFor({ ...EMPTY_DOCUMENT, parts: command.parts })) as Version;
+  if ((command.type === 'setForm' || command.type === 'addStroke') && isLatest(command)) return SECTIONS;
   if (LATE.includes(command.type) || 'mirror' in command) return SOLIDS;
   if (command.type === 'addStroke') return command.form || command.joins || command.carves ? SOLIDS : 1;
   if (command.type !== 'addBody' && command.type !== 'setBody') return 1;

@@ -1,51 +1,134 @@
-/**
- * Surfaces before they are meshes, in the coordinates of their drawing plane, cached by reference: where their sections stand after
- * every bend is what tools bend and draw over.
- */
+/** Surfaces as sheets before they are meshes: what tools ask for sections, spines and rows. Cached by reference. */
+import type { Curve } from '../stroke/curve.ts';
+import type { Stroke } from '../stroke/stroke.ts';
+import { type BendInput, deform } from '../surface/deform.ts';
 import { buildSheet, type SurfaceKind } from '../surface/index.ts';
+import type { PatchOptions } from '../surface/patch.ts';
 import type { Sheet } from '../surface/sheet.ts';
-import { quadsOf } from './build.ts';
+import { within } from '../surface/sideView.ts';
+import { curveOfStroke } from './curves.ts';
 import type { Brush } from './document.ts';
-import { inputOf } from './surfaceInput.ts';
-import type { SurfaceForm } from './surfacePart.ts';
+import { outlinesOf } from './outlines.ts';
+import type { Bend, Between, Detail, Section, SurfaceForm } from './surfacePart.ts';
 
-/** What a surface is made of: a part, or the unfinished form with the document's brush. */
-export interface Made {
-  readonly kind: SurfaceKind;
-  readonly form: SurfaceForm;
-  readonly brush: Brush;
+/** Quads along and around a parametric surface. */
+export interface Resolution {
+  readonly u: number;
+  readonly v: number;
 }
 
-interface Known extends Made {
+/** spans that a control mesh of as many rows as needed is taken to have, when surfaces are kept small enough */
+const USUAL_ROWS = 64;
+/** and spans that surfaces without a control mesh have then */
+const PLAIN_ROWS = 16;
+/** quads of one surface: halving goes no further */
+const MOST_QUADS = 1 << 18;
+
+/** How often spans are halved: as a surface says itself, as far as there is room. */
+export function timesOf({ rows, columns, u, v }: Detail): Resolution {
+  let times = { u, v };
+  const quads = () => ((rows ?? USUAL_ROWS) << times.u) * (columns << times.v);
+  while (quads() > MOST_QUADS && times.u + times.v > 0)
+    times = times.u >= times.v ? { ...times, u: times.u - 1 } : { ...times, v: times.v - 1 };
+  return times;
+}
+
+/** As finely as a surface says itself; patches divide their spans by themselves. */
+export function quadsOf(detail: Detail): Resolution {
+  const times = timesOf(detail);
+  return { u: (detail.rows ?? PLAIN_ROWS) << times.u, v: detail.columns << times.v };
+}
+
+/** The control mesh stays; its spans are halved until there are so many quads. */
+function patchOf(between: Between, detail: Detail, resolution: Resolution | null): PatchOptions {
+  const { rows, columns } = detail;
+  const reaching = (spans: number, quads: number): number => {
+    let times = 0;
+    while (spans << times < quads) times++;
+    return times;
+  };
+  const subdivisions = resolution
+    ? { u: reaching(rows ?? PLAIN_ROWS, resolution.u), v: reaching(columns, resolution.v) }
+    : timesOf(detail);
+  return { between, rows, columns, subdivisions };
+}
+
+interface Known {
+  readonly kind: SurfaceKind;
+  readonly sections: readonly Section[];
+  readonly key: string;
   readonly sheet: Sheet | null;
 }
 
-const sheets = new WeakMap<SurfaceForm['strokes'], readonly Known[]>();
-/** of the same strokes */
+const sheets = new WeakMap<readonly Stroke[], Known[]>();
+
+/** of the same strokes: a slider that goes back and forth finds what it showed before */
 const KEPT = 4;
 
-/** Null where strokes are too short, or enclose nothing. */
-export function sheetOf(made: Made): Sheet | null {
-  const { kind, form, brush } = made;
-  const known = sheets.get(form.strokes) ?? [];
+/**
+ * The surface with its bends, in the coordinates of its drawing plane; null when its strokes are too short or enclose nothing.
+ * Without a resolution as finely as the form says.
+ */
+export function sheetOf(
+  kind: SurfaceKind,
+  form: SurfaceForm,
+  brush: Brush,
+  resolution: Resolution | null = null,
+): Sheet | null {
+  const straight = unbent(kind, form, brush, resolution);
+  return straight && bendsOf(form, brush).reduce(deform, straight);
+}
+
+function unbent(
+  kind: SurfaceKind,
+  form: SurfaceForm,
+  brush: Brush,
+  resolution: Resolution | null,
+): Sheet | null {
+  const { strokes, sections, back, between, detail } = form;
+  const key = JSON.stringify([{ ...brush, colour: '', finish: null }, back, between, detail, resolution]);
+  const known = sheets.get(strokes) ?? [];
   const found = known.find(
-    (other) => other.kind === kind && other.brush === brush && isSame(other.form, form),
+    (other) => other.kind === kind && other.key === key && other.sections === sections,
   );
   if (found) return found.sheet;
-  const sheet = derived(made);
-  sheets.set(form.strokes, [{ ...made, sheet }, ...known].slice(0, KEPT));
+  const curves = curvesOf(strokes, brush);
+  const sheet = curves && built(kind, form, brush, curves, resolution);
+  sheets.set(strokes, [{ kind, key, sections, sheet }, ...known].slice(0, KEPT));
   return sheet;
 }
 
-const isSame = (a: SurfaceForm, b: SurfaceForm): boolean =>
-  a.sections === b.sections &&
-  a.bends === b.bends &&
-  a.back === b.back &&
-  a.between === b.between &&
-  a.detail === b.detail;
-
-function derived({ kind, form, brush }: Made): Sheet | null {
-  const input = inputOf(form, brush);
+function built(
+  kind: SurfaceKind,
+  form: SurfaceForm,
+  brush: Brush,
+  curves: readonly Curve[],
+  resolution: Resolution | null,
+): Sheet | null {
   const { radius, pressure, caps } = brush;
-  return input && buildSheet(kind, input, { radius, pressure, caps, ...quadsOf(form.detail) });
+  const input = { curves, sections: outlinesOf(kind, form, brush, curves), bends: [] };
+  const quads = resolution ?? quadsOf(form.detail);
+  const patch = patchOf(form.between, form.detail, resolution);
+  return buildSheet(kind, input, { radius, pressure, caps, ...quads, patch });
+}
+
+/** Null where one is too short to be a line. */
+function curvesOf(strokes: readonly Stroke[], brush: Brush): readonly Curve[] | null {
+  const found = strokes.map((stroke) => curveOfStroke(stroke, brush));
+  return found.length > 0 && found.every((curve) => curve !== null) ? (found as Curve[]) : null;
+}
+
+/** Those in force, in the coordinates of the drawing plane. */
+function bendsOf({ strokes, bends }: SurfaceForm, brush: Brush): readonly BendInput[] {
+  return bends.flatMap((bend) => (bend.isOff ? [] : bendOf(bend, strokes[0]!.plane, brush)));
+}
+
+/** A bend as sheets take it; none where its stroke is too short. */
+export function bendOf(
+  { stroke, keepsLength }: Pick<Bend, 'stroke' | 'keepsLength'>,
+  drawing: Stroke['plane'],
+  brush: Brush,
+): readonly BendInput[] {
+  const curve = curveOfStroke(stroke, brush);
+  return curve ? [{ curve, plane: within(stroke.plane, drawing), keepsLength }] : [];
 }

@@ -22,6 +22,7 @@ export const GROWING: readonly Command['type'][] = [
   'setStroke',
   'bend',
   'setBend',
+  'recreate',
   'load',
 ];
 

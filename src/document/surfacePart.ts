@@ -25,8 +25,18 @@ export interface Section {
   /** null: the mirrored front */
   readonly back: SectionStroke | null;
   /** what was drawn over it, one after the other */
-  readonly redraws: readonly SectionStroke[];
+  readonly redraws: readonly RedrawnStroke[];
+  /** it is what lies there between the others, with what was drawn over it; front and back are null */
+  readonly follows?: true;
 }
+
+/** Drawn over a section, on its own plane. */
+export interface RedrawnStroke extends SectionStroke {
+  readonly half: number;
+}
+
+/** As tubes and round forms have it, all along. */
+export const ROUND: Omit<Section, 'u'> = { front: null, back: null, redraws: [] };
 
 /** Thesis A.2.2: surfaces have no back, a mirrored front, or (future work there) one of their own. */
 export const BACKS = ['none', 'front', 'drawn'] as const;
@@ -109,6 +119,26 @@ export function kindOfStrokes({ strokes, sections }: Pick<SurfaceForm, 'strokes'
   return strokes.length > 1 ? 'rotational' : 'tube';
 }
 
+const STEPS: readonly SurfaceKind[] = ['tube', 'rotational', 'crossSection', 'bspline'];
+
+/** A person may go back to what fewer strokes make, as far as there are strokes for it; no stroke is lost. */
+export function steppedBack(
+  form: Pick<SurfaceForm, 'strokes' | 'sections'>,
+  wanted: SurfaceKind | undefined,
+): SurfaceKind {
+  const kind = kindOfStrokes(form);
+  if (!wanted || STEPS.indexOf(wanted) >= STEPS.indexOf(kind)) return kind;
+  return wanted === 'rotational' && form.strokes.length < 2 ? 'tube' : wanted;
+}
+
+/** Those that a surface of this kind follows: who stepped back from a patch has the one nearest to the middle. */
+export function sectionsInForce(kind: SurfaceKind, sections: readonly Section[]): readonly Section[] {
+  if (kind === 'bspline') return sections;
+  if (kind !== 'crossSection' || sections.length < 2)
+    return kind === 'crossSection' ? sections : PLAIN.sections;
+  return [sections[nearestSection(sections, 0.5)]!];
+}
+
 /** All strokes of a form, in the order: curves, sections, bends. */
 export function strokesOfForm({
   strokes,
@@ -136,7 +166,8 @@ export function withStrokes<F extends Pick<SurfaceForm, 'strokes' | 'sections' |
   change: (stroke: Stroke) => Stroke,
   scale = 1,
 ): F {
-  const drawn = (section: SectionStroke): SectionStroke => ({
+  const drawn = <D extends SectionStroke>(section: D): D => ({
+    ...section,
     stroke: change(section.stroke),
     half: section.half === null ? null : section.half * scale,
   });
@@ -166,6 +197,10 @@ export function withSection(sections: readonly Section[], section: Section): rea
 
 /** u nearer than this are one place: two sections there would be a step */
 export const SAME_PLACE = 0.01;
+
+/** One of them is at u, so that another would take its place. */
+export const isThere = (sections: readonly Section[], u: number): boolean =>
+  sections.some((section) => Math.abs(section.u - u) < SAME_PLACE);
 
 /** Index of the section nearest to u; −1 without any. */
 export function nearestSection(sections: readonly Section[], u: number): number {

@@ -12,6 +12,7 @@ import {
   type SolidPart,
   type SurfacePart,
 } from './document.ts';
+import { isPlainFinish } from './finish.ts';
 import type { Look } from './look.ts';
 import { ordered } from './nodeSchema.ts';
 import { rowOf } from './samples.ts';
@@ -49,8 +50,18 @@ export function writtenLook(look: Look): Omit<Look, 'mode'> & Partial<Pick<Look,
   };
 }
 
-function writtenBrush({ colour, radius, pressure, caps, filter, levels }: Brush): Brush {
-  return { colour, radius, pressure, caps, filter, levels };
+/** What older programs do not know is left out where it is as they have it. */
+function writtenBrush({ colour, radius, pressure, caps, filter, levels, finish }: Brush) {
+  const { ambient, diffuse, specular, shininess } = finish;
+  return {
+    colour,
+    radius,
+    pressure,
+    caps,
+    filter,
+    levels,
+    ...(!isPlainFinish(finish) && { finish: { ambient, diffuse, specular, shininess } }),
+  };
 }
 
 function writtenStroke({ samples, plane: { origin, x, y }, view, pointer, closed }: Stroke) {
@@ -134,12 +145,13 @@ function furtherOf({
   };
 }
 
-function writtenSection({ u, front, back, redraws }: Section) {
+function writtenSection({ u, front, back, redraws, follows }: Section) {
   return {
     u,
     front: front && writtenDrawn(front),
     back: back && writtenDrawn(back),
     redraws: redraws.map(writtenDrawn),
+    ...(follows && { follows }),
   };
 }
 

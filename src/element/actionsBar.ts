@@ -6,9 +6,9 @@ import { nameOf } from '../document/command/changeParts.ts';
 import { isSurface } from '../document/document.ts';
 import { mirrorOf } from '../document/mirror.ts';
 import { startBend } from './bending.ts';
+import { chosenColour } from './chosenParts.ts';
 import { type Actions, iconButton } from './controls.ts';
 import { ball } from './icons.ts';
-import { chosenColour } from './partCard.ts';
 import {
   duplicateSelection,
   hideSelection,

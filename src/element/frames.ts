@@ -175,7 +175,8 @@ export class Frames {
 
 const sameItems = (a: readonly SceneItem[], b: readonly SceneItem[]): boolean =>
   a.length === b.length &&
-  a.every(({ id, mesh, colour, preview }, i) => {
+  a.every(({ id, mesh, colour, finish, preview }, i) => {
     const other = b[i]!;
-    return other.id === id && other.mesh === mesh && other.colour === colour && other.preview === preview;
+    const isLit = other.colour === colour && other.finish === finish;
+    return isLit && other.id === id && other.mesh === mesh && other.preview === preview;
   });

@@ -70,6 +70,10 @@ export const partsLayout = css`
   .part[aria-selected='true'] :is(b, .what .icon) { color: var(--pencil); }
   .panel input[type='color'] { width: 3.5rem; height: 2.75rem; padding: 0.375rem; border: 0; background: none; cursor: pointer; }
   .panel h3 .value { color: var(--ink); }
+  .more summary { display: flex; align-items: center; min-height: 2.75rem; padding: 0 0.5rem; border-radius: 0.75rem; font: 600 0.8125rem/1.125rem var(--font); color: var(--ink-2); cursor: pointer; }
+  .more summary::after { content: ''; width: 0.4375rem; height: 0.4375rem; margin: -0.25rem 0.25rem 0 auto; border: solid currentColor; border-width: 0 2px 2px 0; rotate: 45deg; }
+  .more[open] summary::after { rotate: 225deg; margin-top: 0.25rem; }
+  .more summary:hover { background: var(--sunken); }
   .quiet-words { padding: 0.5rem; color: var(--ink-2); font-size: 0.8125rem; line-height: 1.125rem; }
   .name-field { display: flex; align-items: center; gap: 0.75rem; padding: 0 0.5rem; font: 600 0.8125rem/1.125rem var(--font); color: var(--ink-2); }
   .name-field input { flex: 1; min-width: 0; height: 2.75rem; padding: 0 0.75rem; border: 1.5px solid var(--edge); border-radius: 0.75rem; background: var(--surface); color: var(--ink); font: 600 0.9375rem/1.3125rem var(--font); user-select: text; -webkit-user-select: text; }

@@ -5,6 +5,8 @@
  */
 import { curveOfStroke } from '../document/curves.ts';
 import { type Brush, isSurface, readingOf } from '../document/document.ts';
+import { pairOf } from '../document/pairs.ts';
+import { sectionCurves } from '../document/sectionCurves.ts';
 import { place3, UNMOVED } from '../math/placement.ts';
 import type { Vec2, Vec3 } from '../math/vec.ts';
 import { project, toWorld } from '../stroke/plane.ts';
@@ -48,9 +50,13 @@ export function drawInk(
   if (lines.length === 2 && readingOf(session.document) === 'rotational')
     drawAxis(context, lines[0]!, lines[1]!, colours);
   for (const line of lines) drawLine(context, line, colours.ink);
+  const across = draftSections(session);
+  for (const line of across) drawLine(context, line, colours.ink);
   // outlines are not counted
-  if (readingOf(session.document) !== 'solid')
+  if (readingOf(session.document) !== 'solid') {
     for (const i of lines.keys()) drawNumber(context, i, lines, colours);
+    for (const [i, line] of across.entries()) drawSectionNumber(context, lines.length + i + 1, line, colours);
+  }
   for (const mark of session.notice?.marks ?? []) drawMark(context, mark, session, colours);
   if (session.state.wet) drawWet(context, session.state.wet, predicted, colours);
   const { marks = session.state.marked?.(session) } = session.state;
@@ -117,6 +123,19 @@ function dried(stroke: Stroke, brush: Brush, { view, size }: Session, placement 
     if (p) dots.push({ x: p[0], y: p[1], pressure: curve.pressure(u) });
   }
   return dots;
+}
+
+/** Sections as they were drawn, but for their ends, which are where the surface has them. */
+function draftSections({ document, view, size }: Session): readonly (readonly Dot[])[] {
+  const { draft, brush } = document;
+  const pair = draft?.sections && pairOf(draft.strokes, brush);
+  if (!pair) return [];
+  return sectionCurves(draft.sections ?? [], pair, brush).map(({ points, pressure }) =>
+    points.flatMap((p, i) => {
+      const at = project(view, size, toWorld(draft.strokes[0]!.plane, p));
+      return at ? [{ x: at[0], y: at[1], pressure: pressure[i]! }] : [];
+    }),
+  );
 }
 
 /** One filled outline, as wide as the pen was pressed: overlapping strokes would show their joints as beads. */
@@ -249,6 +268,29 @@ function drawNumber(
   const up = away.y >= start.y ? -1 : 1;
   const x = start.x + side;
   const y = start.y + 22 * up;
+  writeNumber(context, index + 1, [x, y], colours);
+}
+
+/** Beyond its start. */
+function drawSectionNumber(
+  context: CanvasRenderingContext2D,
+  number: number,
+  line: readonly Dot[],
+  colours: InkColours,
+): void {
+  const [start, end] = [line[0], line.at(-1)];
+  if (!start || !end) return;
+  const length = distance(start, end) || 1;
+  const by = 26 / length;
+  writeNumber(context, number, [start.x + by * (start.x - end.x), start.y + by * (start.y - end.y)], colours);
+}
+
+function writeNumber(
+  context: CanvasRenderingContext2D,
+  number: number,
+  [x, y]: Vec2,
+  colours: InkColours,
+): void {
   context.fillStyle = colours.paper;
   context.strokeStyle = colours.pencil;
   context.lineWidth = 1.75;
@@ -260,5 +302,5 @@ function drawNumber(
   context.font = `600 13px ${colours.font}`;
   context.textAlign = 'center';
   context.textBaseline = 'middle';
-  context.fillText(String(index + 1), x, y + 0.5);
+  context.fillText(String(number), x, y + 0.5);
 }

@@ -10,6 +10,7 @@ import {
   Vector2,
 } from 'three/webgpu';
 import type { Vec3 } from '../math/vec.ts';
+import type { FinishVectors } from './finish.ts';
 import type { Seam } from './seam.ts';
 import { CHANNELS, type SurfaceImage } from './surfaceImage.ts';
 
@@ -19,10 +20,14 @@ export const MOST_ITEMS = 4096;
 /** Bits of what is told of an item. */
 export const FLAGS = { coloured: 1, selected: 2 } as const;
 
+/** Rows of the table. */
+export const FACTS = { colour: 0, light: 1, peak: 2 } as const;
+
 export interface ItemFacts {
   /** display values, in place of the image's own; null: as the image has it */
   readonly colour: Vec3 | null;
   readonly selected: boolean;
+  readonly finish: FinishVectors;
 }
 
 export class ImageInputs {
@@ -31,7 +36,7 @@ export class ImageInputs {
   readonly pivot = uniform(0);
   readonly surface = texture(floats(1, 1)) as TextureNode;
   readonly colours = texture(floats(1, 1)) as TextureNode;
-  readonly facts = texture(floats(MOST_ITEMS, 1)) as TextureNode;
+  readonly facts = texture(floats(MOST_ITEMS, 3)) as TextureNode;
 
   put({ camera, surface, colours, stride }: SurfaceImage, seam: Seam): void {
     const { width, height } = camera;
@@ -52,9 +57,13 @@ export class ImageInputs {
   tell(items: readonly ItemFacts[]): void {
     const table = this.facts.value as DataTexture;
     const data = table.image.data as Float32Array;
-    for (const [i, { colour, selected }] of items.slice(0, MOST_ITEMS).entries()) {
+    for (const [i, { colour, selected, finish }] of items.slice(0, MOST_ITEMS).entries()) {
       const flags = (colour ? FLAGS.coloured : 0) + (selected ? FLAGS.selected : 0);
-      data.set([...(colour ?? [0, 0, 0]), flags], CHANNELS * i);
+      const put = (row: number, values: readonly number[]) =>
+        data.set(values, CHANNELS * (MOST_ITEMS * row + i));
+      put(FACTS.colour, [...(colour ?? [0, 0, 0]), flags]);
+      put(FACTS.light, finish.light);
+      put(FACTS.peak, finish.peak);
     }
     table.needsUpdate = true;
   }

@@ -16,8 +16,8 @@ import {
   vec4,
 } from 'three/tsl';
 import { type Node, NodeMaterial, WebGLCoordinateSystem, type WebGPURenderer } from 'three/webgpu';
-import { FLAGS, type ImageInputs, MOST_ITEMS } from './imageInputs.ts';
-import { displayed, eyeFrom, RIM } from './light.ts';
+import { FACTS, FLAGS, type ImageInputs, MOST_ITEMS } from './imageInputs.ts';
+import { displayed, eyeFrom, finishNodes, RIM } from './light.ts';
 import type { Surface } from './surface.ts';
 
 /** Which items of the image are drawn. */
@@ -36,8 +36,11 @@ export function imageSurface(inputs: ImageInputs, kept: Kept, renderer: WebGPURe
     inputs.surface.load(ivec2(texel.add(vec2(right, down)).clamp(vec2(0), size.sub(1)))) as Node<'vec4'>;
   const here = look(0, 0).toVar();
   const painted = (inputs.colours.load(ivec2(texel)) as Node<'vec4'>).toVar();
-  const item = ivec2(vec2(painted.w.sub(1).clamp(0, MOST_ITEMS - 1), 0));
-  const facts = (inputs.facts.load(item) as Node<'vec4'>).toVar();
+  const told = (row: number): Node<'vec4'> => {
+    const item = ivec2(vec2(painted.w.sub(1).clamp(0, MOST_ITEMS - 1), row));
+    return (inputs.facts.load(item) as Node<'vec4'>).toVar();
+  };
+  const facts = told(FACTS.colour);
 
   const z = here.w.add(pivot).toVar();
   const clip = cameraProjectionMatrix.mul(vec4(0, 0, z, 1)).toVar();
@@ -72,6 +75,7 @@ export function imageSurface(inputs: ImageInputs, kept: Kept, renderer: WebGPURe
     name: `, of an image, ${kept}`,
     normal: outward.mul(side).toVar(),
     colour: mix(displayed(painted.xyz), facts.xyz, hasColour.select(float(1), float(0))).toVar(),
+    finish: finishNodes(told(FACTS.light), told(FACTS.peak)),
     place: cameraWorldMatrix.mul(vec4(place, 1)).xyz.toVar(),
     z,
     change: (direction) => {

@@ -16,10 +16,13 @@ import {
   Mesh as ThreeMesh,
   Scene as ThreeScene,
   Vector3,
+  Vector4,
 } from 'three/webgpu';
+import { DEFAULT_FINISH, type Finish } from '../document/finish.ts';
 import type { Mesh } from '../mesh/mesh.ts';
 import { type DeviceMesh, isOnDevice } from './deviceMesh.ts';
 import { DeviceWires } from './deviceWires.ts';
+import { finishVectors } from './finish.ts';
 import type { ItemFacts } from './imageInputs.ts';
 import { displayRgb } from './look.ts';
 import type { Seam } from './seam.ts';
@@ -32,6 +35,8 @@ export interface SceneItem {
   readonly mesh: Mesh | DeviceMesh;
   /** #rrggbb, display sRGB; of previews, and where the mesh has no colours of its own */
   readonly colour: string;
+  /** how it answers light; without it as surfaces do that nobody gave one */
+  readonly finish?: Finish;
   /** drawn lightly and without lines: not yet kept */
   readonly preview: boolean;
 }
@@ -164,7 +169,8 @@ export class Parts {
       const part = this.#parts.get(id);
       for (const mesh of part?.meshes.keys() ?? []) if (mesh !== part?.wire) mesh.layers.disableAll();
       const colour = part && !isPainted(part.item) ? displayRgb(part.item.colour) : null;
-      return { colour, selected: this.#selected.has(id) };
+      const finish = finishVectors(part?.item.finish ?? DEFAULT_FINISH);
+      return { colour, selected: this.#selected.has(id), finish };
     });
   }
 
@@ -182,7 +188,7 @@ export class Parts {
   #put(item: SceneItem): boolean {
     const old = this.#parts.get(item.id);
     if (old && old.item.mesh === item.mesh && old.item.preview === item.preview) {
-      if (old.item.colour !== item.colour) this.#recolour(old, item);
+      if (old.item.colour !== item.colour || old.item.finish !== item.finish) this.#recolour(old, item);
       return false;
     }
     if (old) this.#remove(old);
@@ -265,7 +271,9 @@ export class Parts {
 
   #recolour(part: Part, item: SceneItem): void {
     const colour = new Vector3(...displayRgb(item.colour));
-    for (const mesh of part.meshes.keys()) mesh.userData.colour = colour;
+    const { light, peak } = finishVectors(item.finish ?? DEFAULT_FINISH);
+    const own = { colour, light: new Vector4(...light), peak: new Vector4(...peak) };
+    for (const mesh of part.meshes.keys()) Object.assign(mesh.userData, own);
     if (part.item !== item) this.#parts.set(item.id, { ...part, item });
   }
 

@@ -4,7 +4,7 @@
  */
 import { dFdx, dFdy, positionGeometry, positionView, vec2 } from 'three/tsl';
 import { DoubleSide, type Node, NodeMaterial } from 'three/webgpu';
-import { facingNormal, paintedColour, partColour } from './light.ts';
+import { type FinishNodes, facingNormal, paintedColour, partColour, partFinish } from './light.ts';
 
 export interface Surface {
   readonly name: string;
@@ -12,6 +12,7 @@ export interface Surface {
   readonly normal: Node<'vec3'>;
   /** display values */
   readonly colour: Node<'vec3'>;
+  readonly finish: FinishNodes;
   /** in the model, mm */
   readonly place: Node<'vec3'>;
   /** in view space, mm */
@@ -27,6 +28,7 @@ export const triangles = (painted: boolean): Surface => ({
   name: painted ? ', painted' : '',
   normal: facingNormal,
   colour: painted ? paintedColour : partColour,
+  finish: partFinish,
   place: positionGeometry.toVarying('rotund_place'),
   z: positionView.z,
   change: (direction) => pixelWidth(facingNormal.dot(direction).toVar()),

@@ -24,21 +24,21 @@ import {
   OneFactor,
   OneMinusSrcAlphaFactor,
 } from 'three/webgpu';
-import { AMBIENT, GAIN, HALFWAY, LIGHT, SHININESS } from './light.ts';
+import { AMBIENT, GAIN, HALFWAY, LIGHT } from './light.ts';
 import type { Surface } from './surface.ts';
 
 export const THRESHOLDS = [0.1, 0.2, 0.7] as const;
 /** Every band is one step above the last: .1 .3 .5 .7. */
 export const LOWEST_BAND = 0.1;
 export const BAND_STEP = 0.2;
-/** the highlight is on where (N·H)^SHININESS exceeds this */
-const HIGHLIGHT_THRESHOLD = 0.8;
-/** how far the highlight goes from the lit colour to white: a tint, not a hole in the picture */
-const HIGHLIGHT_WHITE = 0.75;
 const WIRE_OPACITY = 0.25;
 
 /** 0 below the threshold, 1 above, a ramp of one pixel between, across which the value changes by `width`. */
-function pixelStep(value: Node<'float'>, width: Node<'float'>, threshold: number): Node<'float'> {
+function pixelStep(
+  value: Node<'float'>,
+  width: Node<'float'>,
+  threshold: number | Node<'float'>,
+): Node<'float'> {
   return value.sub(threshold).div(width).add(0.5).clamp(0, 1);
 }
 
@@ -52,12 +52,15 @@ export function bandOf(surface: Surface): Node<'float'> {
 
 /** The colour of a surface in toon's light, display values. */
 export function toonOf(surface: Surface): Node<'vec3'> {
-  const { normal, colour } = surface;
-  const threshold = HIGHLIGHT_THRESHOLD ** (1 / SHININESS);
-  const highlight = pixelStep(normal.dot(HALFWAY).toVar(), surface.change(HALFWAY).toVar(), threshold);
-  const lit = colour.mul(AMBIENT.add(GAIN.mul(bandOf(surface)))).clamp(0, 1);
-  return mix(lit, vec3(1), highlight.mul(HIGHLIGHT_WHITE));
+  const { colour, finish } = surface;
+  const light = AMBIENT.mul(finish.ambient).add(GAIN.mul(bandOf(surface).mul(finish.diffuse)));
+  const lit = colour.mul(light).clamp(0, 1);
+  return mix(lit, vec3(1), highlightOf(surface).mul(finish.white));
 }
+
+/** 1 on the highlight, 0 beside it. */
+export const highlightOf = (surface: Surface): Node<'float'> =>
+  pixelStep(surface.normal.dot(HALFWAY).toVar(), surface.change(HALFWAY).toVar(), surface.finish.cut);
 
 export const toonMaterial = (surface: Surface): NodeMaterial =>
   surface.material('toon', () => vec4(toonOf(surface), 1));

@@ -32,7 +32,7 @@ export interface SectionOptions {
 }
 
 /** of a closed outline, square half chords */
-const NO_AREA = 1e-6;
+export const NO_AREA = 1e-6;
 
 /** Null when it has no extent: strokes on each other or without length. Throws RangeError as sourceOf does, and for u, v that are no numbers. */
 export function crossSectionSheet(
@@ -92,7 +92,7 @@ function placedRows(stands: readonly StandRow[], { points, rates }: OutlineColum
 }
 
 /** A flat lid over an end, from its rim outward. */
-function flatRows(stand: Stand, { points }: OutlineColumns, rim: Row, out: 1 | -1): Row[] {
+export function flatRows(stand: Stand, { points }: OutlineColumns, rim: Row, out: 1 | -1): Row[] {
   return lidRows(lidOf(points), rim, (p) => place(stand, p), endNormal(stand, points, out));
 }
 
@@ -103,12 +103,17 @@ function endNormal({ axis: [x, y] }: Stand, points: readonly Vec2[], out: 1 | -1
 }
 
 /** Twice the area of the outline, positive when counter-clockwise. */
-function turns(points: readonly Vec2[]): number {
+export function turns(points: readonly Vec2[]): number {
   return points.reduce((sum, p, j) => sum + cross2(points[j - 1] ?? p, p), 0);
 }
 
 /** The section shrunk along a quarter of a circle that goes on from the end as domes of tubes do (caps.ts). */
-function domeRows(stand: Stand, { points, rates }: OutlineColumns, out: 1 | -1, around: number): Row[] {
+export function domeRows(
+  stand: Stand,
+  { points, rates }: OutlineColumns,
+  out: 1 | -1,
+  around: number,
+): Row[] {
   const { centre, axis, radius, dHalf } = stand;
   const quads = Math.max(Math.ceil(around / 4), 2);
   const flare = out * (dHalf[0] * axis[0] + dHalf[1] * axis[1]);
@@ -140,12 +145,12 @@ function domeRows(stand: Stand, { points, rates }: OutlineColumns, out: 1 | -1, 
   });
 }
 
-function flipped(row: SheetRow): SheetRow {
+export function flipped(row: SheetRow): SheetRow {
   return { ...row, normals: row.normals.map((x) => -x), flipped: true };
 }
 
 /** A closed pair, or stroke, ends in the points of its first row. */
-function closedUp(rows: readonly SheetRow[]): SheetRow[] {
+export function closedUp(rows: readonly SheetRow[]): SheetRow[] {
   return [...rows.slice(0, -1), { ...rows[rows.length - 1]!, points: rows[0]!.points }];
 }
 

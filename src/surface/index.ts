@@ -9,19 +9,15 @@ import type { Plane } from '../stroke/stroke.ts';
 import { crossSectionSheet } from './crossSection.ts';
 import { type BendInput, deform } from './deform.ts';
 import { round } from './joined.ts';
-import type { Outline } from './outline.ts';
+import { type PatchOptions, patchSheet } from './patch.ts';
 import { rotationalSheet } from './rotational.ts';
 import type { Sheet } from './sheet.ts';
 import { tubeSheet } from './tube.ts';
+import type { PlacedOutline } from './weave.ts';
+
+export type { PlacedOutline };
 
 export type SurfaceKind = 'tube' | 'rotational' | 'crossSection' | 'bspline';
-
-/** A section where it stands. */
-export interface PlacedOutline {
-  /** along the construction curves, 0–1 */
-  readonly u: number;
-  readonly outline: Outline;
-}
 
 /** What surfaces are made of, all of it in the coordinates of the drawing plane, mm. */
 export interface SurfaceInput {
@@ -44,6 +40,8 @@ export interface SurfaceOptions {
   readonly u: number;
   /** quads around, or across (about) */
   readonly v: number;
+  /** of patches; without them they have about u × v quads */
+  readonly patch?: PatchOptions;
 }
 
 interface Counts {
@@ -91,9 +89,24 @@ export const surfaces: Readonly<Record<SurfaceKind, Surface>> = {
     id: 'bspline',
     label: 'Patch',
     strokes: { least: 1, most: 2 },
-    sheet: crossSection,
+    sheet: (input, options) => {
+      if (input.sections.length === 0) return crossSection(input, options);
+      const { curves, sections } = input;
+      const source = { ...options, curves, caps: options.caps ? 'round' : 'none' } as const;
+      return patchSheet(source, sections, options.patch ?? quarters(options));
+    },
   },
 };
+
+/** A patch of u × v quads: quarters of its control spans. */
+function quarters({ u, v }: Pick<SurfaceOptions, 'u' | 'v'>): PatchOptions {
+  return {
+    between: 'cubic',
+    rows: Math.ceil(u / 4),
+    columns: Math.ceil(v / 4),
+    subdivisions: { u: 2, v: 2 },
+  };
+}
 
 /**
  * A surface with its bends, in the coordinates of the drawing plane; null where the strokes enclose nothing.

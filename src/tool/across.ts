@@ -56,7 +56,11 @@ export interface Guide {
 }
 
 /** The unfinished form, else the selected part, else the last that has two sides; or why there is none. */
-export function acrossOf({ document, selection, viewport }: Bench): Across | NotAcross {
+export function acrossOf({
+  document,
+  selection,
+  viewport,
+}: Pick<Bench, 'document' | 'selection' | 'viewport'>): Across | NotAcross {
   const found = document.draft ? ofDraft(document) : ofParts(document, selection);
   if (typeof found === 'string') return found;
   return isEdgeOn(found.plane, viewport.view) ? 'edge-on' : found;
@@ -87,7 +91,12 @@ function ofPart({ id, placement, strokes, brush, sections, back }: SurfacePart):
 }
 
 /** The chord at the construction curve that is near the pen; null: none is, or nothing is between them there. */
-export function guideAt(across: Across, pen: Pick<Pen, 'x' | 'y'>, viewport: Viewport): Guide | null {
+export function guideAt(
+  across: Across,
+  pen: Pick<Pen, 'x' | 'y'>,
+  viewport: Viewport,
+  least = LEAST_CHORD,
+): Guide | null {
   const at: Vec2 = [pen.x, pen.y];
   const [left, right] = (['left', 'right'] as const).map((side) => nearestOn(across, side, at, viewport));
   const [near, found] =
@@ -95,7 +104,7 @@ export function guideAt(across: Across, pen: Pick<Pen, 'x' | 'y'>, viewport: Vie
   if (!(found.distance <= REACH)) return null;
   const guide = guideThrough(across, found.u, near);
   const [a, b] = endsOf(guide, viewport);
-  return a && b && distance2(a, b) >= LEAST_CHORD ? guide : null;
+  return a && b && distance2(a, b) >= least ? guide : null;
 }
 
 /** A back goes to the section that it is nearest to, once. */
@@ -105,6 +114,12 @@ export function guideThrough(across: Across, u: number, near: SideName): Guide {
   const place = isBack ? section.u : u;
   const { left, right } = across.pair.at(place, 1);
   return { across, u: place, left, right, near, side: isBack ? 'back' : 'front' };
+}
+
+/** Taken hold of at the end that is nearer to the pen. */
+export function turned(guide: Guide, pen: Pick<Pen, 'x' | 'y'>, viewport: Viewport): Guide {
+  const other = guide.near === 'left' ? 'right' : 'left';
+  return progressOf(guide, pen, viewport) > 0.5 ? { ...guide, near: other } : guide;
 }
 
 /** q_l(u) and q_r(u), px; null: behind the camera */

@@ -13,11 +13,15 @@ import { partsWithDraft } from '../document/draftPart.ts';
 import { length2 } from '../math/tuple.ts';
 import { facingPlane } from '../stroke/plane.ts';
 import type { Plane, Stroke } from '../stroke/stroke.ts';
+import { acrossOf, type Guide, guideAt, isWithin } from './across.ts';
+import { isSnapped, marksOf, plan as planSection } from './crossing.ts';
 import { isEdgeOn, strokeOn } from './penStroke.ts';
 import type { Bench, Pen, State } from './tool.ts';
 import { isClosing, LEAST_LENGTH, type Trace, traced, traceFrom } from './trace.ts';
 import type { Hit } from './viewport.ts';
 
+/** Pixels: across less a stroke that starts on a side is no section. */
+const WIDE = 48;
 export const idle: State = {
   name: 'draw.idle',
   down(pen, bench) {
@@ -41,6 +45,8 @@ interface Ground {
   readonly on: Hit | null;
   /** the solid it starts on */
   readonly joins: Joins | null;
+  /** it starts on a side of the unfinished form: one that ends on the other is a section */
+  readonly guide: Guide | null;
 }
 
 interface Drawn extends Trace {
@@ -53,8 +59,13 @@ function drawing(drawn: Drawn): State {
     name: drawn.length < LEAST_LENGTH ? 'draw.pointing' : 'draw.drawing',
     wet: { pens, on: ground.on, closing: isClosing(drawn) },
     preview: (bench) => previewOf(drawn, bench),
-    move: (more) => drawing({ ...drawn, ...traced(drawn, more) }),
+    move: (more, bench) => over({ ...drawn, ...traced(drawn, more) }, bench),
     up(bench) {
+      const across = sectionOf(drawn, bench);
+      if (across) {
+        bench.commit(across);
+        return idle;
+      }
       const stroke = drawn.length < LEAST_LENGTH ? null : strokeOf(drawn, bench);
       if (stroke) bench.commit(plan(bench.document, stroke, ground.joins));
       else bench.notify('too-short', pointPlan(drawn, bench));
@@ -62,6 +73,28 @@ function drawing(drawn: Drawn): State {
     },
     cancel: () => idle,
   };
+}
+
+/** Between the two sides of the unfinished form it may become a section: the guide says so. */
+function over(drawn: Drawn, bench: Bench): State {
+  const { ground } = drawn;
+  if (!ground.guide || drawn.length < LEAST_LENGTH || !isBetween(drawn, ground.guide, bench))
+    return drawing(drawn);
+  return {
+    ...drawing(drawn),
+    wet: { pens: drawn.pens, on: null, closing: false },
+    marks: marksOf({ ...drawn, guide: ground.guide }, bench),
+  };
+}
+
+const isBetween = ({ pens }: Drawn, guide: Guide, { viewport }: Bench): boolean =>
+  isWithin(guide.across, pens.at(-1)!, viewport);
+
+/** From one side to the other one; null: it is something else. */
+function sectionOf(drawn: Drawn, bench: Bench): readonly Command[] | null {
+  const { guide } = drawn.ground;
+  const crossing = guide && { ...drawn, guide };
+  return crossing && isSnapped(crossing, bench) ? planSection(crossing, bench) : null;
 }
 
 /** The second stroke of a form joins it wherever it starts. */
@@ -78,9 +111,13 @@ function groundAt({ document, viewport }: Bench, { x, y }: Pen): Ground {
   const own = facingPlane(viewport.view, on?.point ?? viewport.view.pivot);
   const joins = on && joinsAt(document, on);
   const plane = document.draft?.strokes[0]?.plane ?? null;
-  if (isSide(document)) return { shared: plane, own, on: null, joins };
+  if (isSide(document)) return { shared: plane, own, on: null, joins, guide: null };
   const mayHold = readingOf(document) === 'solid' && plane && !isEdgeOn(plane, viewport.view);
-  return { shared: mayHold ? plane : null, own, on, joins };
+  // who wants tubes draws tubes
+  const mayCross = document.draft && readingOf(document) !== 'tube';
+  const across = mayCross ? acrossOf({ document, viewport, selection: [] }) : null;
+  const guide = across && typeof across !== 'string' ? guideAt(across, { x, y }, viewport, WIDE) : null;
+  return { shared: mayHold ? plane : null, own, on, joins, guide };
 }
 
 /** The component whose skel is under the pen; skels of a solid with several lie in one part of the tree each. */
@@ -143,6 +180,11 @@ function settled(document: Document): readonly Command[] {
 
 /** A tube from its first 12 px on, a solid while it closes; a rotational surface once the second stroke is half as long as the first. */
 function previewOf(drawn: Drawn, bench: Bench): Document | null {
+  const across = sectionOf(drawn, bench);
+  if (across) return across.reduce(apply, bench.document);
+  const { guide } = drawn.ground;
+  // nobody knows yet whether it goes all the way across
+  if (guide && isBetween(drawn, guide, bench)) return null;
   const stroke = drawn.length >= LEAST_LENGTH ? strokeOf(drawn, bench) : null;
   if (!stroke) return null;
   const commands = plan(bench.document, stroke, drawn.ground.joins);

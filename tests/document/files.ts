@@ -118,11 +118,54 @@ const SOLIDS: readonly Command[] = [
   { type: 'scaleParts', ids: ['group-13', 'part-18'], factor: 1.1, about: [1, 2, 3] },
   { type: 'mirrorParts', ids: ['part-8', 'group-16', 'part-1'], about: [5, 0, 0], normal: [0.6, 0.8, 0] },
   { type: 'paste', parts: [PASTED], offset: [0, 0, 30] },
-  { type: 'setPartBrush', ids: ['group-10'], change: { colour: '#3f9690', radius: 4 } },
+  {
+    type: 'setPartBrush',
+    ids: ['group-10'],
+    change: { colour: '#3f9690', radius: 4, finish: { specular: 0.9 } },
+  },
   { type: 'showParts', ids: ['component-9'], visible: true },
   { type: 'moveParts', ids: ['group-13'], by: { rotation: [0, 0.6, 0, 0.8], translation: [0.1, -2, 7] } },
   { type: 'renamePart', id: 'group-13', name: 'Groove' },
   { type: 'renamePart', id: 'component-9', name: 'Sum' },
+];
+
+const across = (x: number, dip: number) =>
+  strokeAlong((t) => [x + 25 * t, 0 - dip * Math.sin(3.1 * t)], {}, 8);
+const SIDE: Plane = { origin: [0, 1, 0], x: [0, 0, -1], y: [0, 1, 0] };
+const sideways = (by: number) => strokeAlong((t) => [0 + by * t * t, 30 - 60 * t], { plane: SIDE }, 9);
+
+/** A surface with sections, backs, redraws and bends, another whose strokes are in hand. The next number is 25. */
+const SURFACES: readonly Command[] = [
+  add(wave(0)),
+  add(wave(25)),
+  { type: 'addSection', u: 0.5, drawn: { stroke: across(0, 9), half: null } },
+  { type: 'addSection', u: 1 / 3, drawn: { stroke: across(0, -4), half: null }, side: 'back' },
+  { type: 'addSection', u: 0.8, drawn: { stroke: across(-12.5, 5), half: 12.5 } },
+  { type: 'setSurface', change: { back: 'front', between: 'linear', detail: { columns: 12, u: 1 } } },
+  KEEP,
+  { type: 'removeSection', part: 'part-25', index: 0, only: 'back' },
+  { type: 'redrawSection', part: 'part-25', u: 0.55, drawn: { stroke: across(-6, -8), half: 12.5 } },
+  {
+    type: 'redrawSection',
+    part: 'part-25',
+    u: 0.1,
+    drawn: { stroke: across(-6, -7), half: 12 },
+    local: true,
+  },
+  { type: 'setStroke', part: 'part-25', index: 1, stroke: wave(28) },
+  { type: 'bend', id: 'part-25', bend: { stroke: sideways(20), keepsLength: true, isOff: false } },
+  { type: 'bend', id: 'part-25', bend: { stroke: sideways(-9), keepsLength: false, isOff: true } },
+  { type: 'setBend', id: 'part-25', index: 1, change: { keepsLength: true } },
+  { type: 'moveParts', ids: ['part-25'], by: { rotation: [0, 0.6, 0, 0.8], translation: [0.1, -2, 7] } },
+  { type: 'duplicateParts', ids: ['part-25'], offset: [90, 0, 0] },
+  { type: 'setSurface', ids: ['part-26'], change: { between: 'plain', detail: { rows: 9 } } },
+  { type: 'mirrorParts', ids: ['part-26'], about: [5, 0, 0], normal: [0.6, 0.8, 0] },
+  { type: 'scaleParts', ids: ['part-25'], factor: 0.7, about: [1, 2, 3] },
+  { type: 'recreate', id: 'part-25' },
+  { type: 'setForm', form: 'crossSection' },
+  KEEP,
+  { type: 'recreate', id: 'part-26' },
+  { type: 'drop' },
 ];
 
 /** One of each, in an order in which each has something to do. */
@@ -157,6 +200,7 @@ export const COMMANDS: readonly Command[] = [
   { type: 'addBody', node: EVERY_NODE, colour: '#7D5238' },
   { type: 'setBody', id: 'part-4', node: { type: 'union', form: 'hard', parts: [EVERY_NODE, EVERY_NODE] } },
   ...SOLIDS,
+  ...SURFACES,
   add({ ...wave(3), pointer: 'mouse' }),
   add(wave(-30)),
 ];

@@ -55,8 +55,8 @@ describe('docs/format.md', () => {
   });
 
   it('has documents, a bare list and a script with every command', () => {
-    expect(examples).toHaveLength(5);
-    const script = JSON.parse(examples[4]!) as { commands: { type: string }[] };
+    expect(examples).toHaveLength(6);
+    const script = JSON.parse(examples[5]!) as { commands: { type: string }[] };
     expect([...new Set(script.commands.map(({ type }) => type))].sort()).toEqual([...COMMAND_TYPES].sort());
   });
 
@@ -75,6 +75,10 @@ describe('docs/format.md', () => {
     ['document', schema.$defs.document],
     ['surface', schema.$defs.surfacePart],
     ['draft', schema.$defs.draft],
+    ['section', schema.$defs.section],
+    ["section's stroke", schema.$defs.sectionStroke],
+    ['bend', schema.$defs.bend],
+    ['detail', schema.$defs.detail],
     ['body', schema.$defs.bodyPart],
     ['solid', schema.$defs.solidPart],
     ['component', schema.$defs.component],
@@ -121,10 +125,10 @@ describe('docs/format.md', () => {
   });
 
   it('names the limits', () => {
-    const { text, depth, commands, strokes, samples, samplesInAll } = LIMITS;
+    const { text, depth, commands, strokes, samples, samplesInAll, sections, bends } = LIMITS;
     const limits = docs.split('## Limits')[1]!.split('##')[0]!;
     expect(limits).toContain(`| ${text / 1024 / 1024} MiB |`);
-    for (const limit of [depth, commands, strokes, samples, samplesInAll])
+    for (const limit of [depth, commands, strokes, samples, samplesInAll, sections, bends])
       expect(limits).toContain(`| ${limit} |`);
   });
 });

@@ -50,16 +50,19 @@ describe('what is wrong is said in one sentence', () => {
       '{"format":"tldraw"}',
       'Pear.rotund, format: not a Rotund file: expected "rotund" or "rotund-script", found "tldraw"',
     ],
-    ['{"format":"rotund","version":9}', 'Pear.rotund is version 9; this program reads up to 4.'],
+    ['{"format":"rotund","version":9}', 'Pear.rotund is version 9; this program reads up to 5.'],
     [
-      '{"format":"rotund-script","version":5,"new":[]}',
-      'Pear.rotund is version 5; this program reads up to 4.',
+      '{"format":"rotund-script","version":6,"new":[]}',
+      'Pear.rotund is version 6; this program reads up to 5.',
     ],
-    ['{"format":"rotund","version":"1"}', 'Pear.rotund, version: expected version 1, 2, 3 or 4, found "1"'],
-    ['{"format":"rotund","version":0}', 'Pear.rotund, version: expected version 1, 2, 3 or 4, found 0'],
+    [
+      '{"format":"rotund","version":"1"}',
+      'Pear.rotund, version: expected version 1, 2, 3, 4 or 5, found "1"',
+    ],
+    ['{"format":"rotund","version":0}', 'Pear.rotund, version: expected version 1, 2, 3, 4 or 5, found 0'],
     [
       '{"format":"rotund","document":{}}',
-      'Pear.rotund, version: expected version 1, 2, 3 or 4, found nothing',
+      'Pear.rotund, version: expected version 1, 2, 3, 4 or 5, found nothing',
     ],
     ['{"format":"rotund","version":1}', 'Pear.rotund, document: expected an object, found nothing'],
     [
@@ -101,11 +104,11 @@ describe('what is wrong is said in one sentence', () => {
     ],
     [
       part('"__proto__":{"hidden":true}'),
-      'Pear.rotund, document.parts[0]: expected only the fields id, name, kind, strokes, brush, placement, hidden, found "__proto__"',
+      'Pear.rotund, document.parts[0]: expected only the fields id, name, kind, strokes, sections, back, between, bends, detail, brush, placement, hidden, found "__proto__"',
     ],
     [
       part('"constructor":0'),
-      'Pear.rotund, document.parts[0]: expected only the fields id, name, kind, strokes, brush, placement, hidden, found "constructor"',
+      'Pear.rotund, document.parts[0]: expected only the fields id, name, kind, strokes, sections, back, between, bends, detail, brush, placement, hidden, found "constructor"',
     ],
     [
       part('"name":""'),
@@ -121,7 +124,7 @@ describe('what is wrong is said in one sentence', () => {
     ],
     [
       part('"kind":"<b>\\u202e\\u2028"'),
-      'Pear.rotund, document.parts[0].kind: expected one of "tube", "rotational", "body", "solid", found "<b>\\u{202e}\\u{2028}"',
+      'Pear.rotund, document.parts[0].kind: expected one of "tube", "rotational", "crossSection", "bspline", "body", "solid", found "<b>\\u{202e}\\u{2028}"',
     ],
     [
       part('"kind":"rotational"'),
@@ -251,7 +254,7 @@ describe('what is wrong is said in one sentence', () => {
       'Pear.rotund, document.parts[2].id: expected an id that nothing else has, found "part-1"',
     );
     expect(refused({ ...drawing.document, nextId: 4 }).message).toBe(
-      'Pear.rotund, document.nextId: expected a whole number above 24, which is in use, found 4',
+      'Pear.rotund, document.nextId: expected a whole number above 26, which is in use, found 4',
     );
   });
 

@@ -1,6 +1,7 @@
 /** Models for exporters: documents as people make them, and parts made to be difficult. */
 import { apply, type Command } from '../../src/document/command/index.ts';
 import { type Document, EMPTY_DOCUMENT } from '../../src/document/document.ts';
+import { DEFAULT_FINISH } from '../../src/document/finish.ts';
 import { type Model, modelOf } from '../../src/export/index.ts';
 import type { Mesh } from '../../src/mesh/mesh.ts';
 import type { Stroke } from '../../src/stroke/stroke.ts';
@@ -29,6 +30,7 @@ export const solidOf = (name: string, mesh: Mesh = box(1, 2, 3), colour = '#8080
   name,
   kind: 'tube' as const,
   colour,
+  finish: DEFAULT_FINISH,
   mesh,
 });
 

@@ -59,6 +59,12 @@ export class Driver implements Bench {
     this.history = undo(this.history);
   }
 
+  /** Over the picture; without a place: away from it. */
+  hover(x?: number, y?: number): void {
+    const at = x === undefined || y === undefined ? null : pen(x, y, 0);
+    this.state = this.state.hover?.(at, this) ?? this.state;
+  }
+
   down(x: number, y: number): void {
     this.state = this.state.down?.(pen(x, y, 0), this) ?? this.state;
   }

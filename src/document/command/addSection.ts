@@ -21,14 +21,15 @@ export interface Data extends Whose {
 export const addSection: CommandKind<'addSection', Data> = {
   type: 'addSection',
   apply: (document, { u, drawn, side = 'front', ...whose }) =>
-    changeForm(document, whose, (form) => {
-      if (side === 'back') return withBack(form, u, drawn);
-      const section: Section = { u, front: drawn, back: null, redraws: [] };
-      return { ...form, sections: withSection(form.sections, section) };
-    }),
+    changeForm(document, whose, (form) => (side === 'back' ? withBack : withFront)(form, u, drawn), true),
   describe: (_document: Document, { u, side }) =>
     `${side === 'back' ? 'back' : 'section'} at ${Math.round(100 * u)} %`,
 };
+
+function withFront(form: SurfaceForm, u: number, front: SectionStroke): SurfaceForm {
+  const section: Section = { u, front, back: null, redraws: [] };
+  return { ...form, sections: withSection(form.sections, section) };
+}
 
 function withBack(form: SurfaceForm, u: number, back: SectionStroke): SurfaceForm {
   const at = nearestSection(form.sections, u);

@@ -1,8 +1,9 @@
 import type { Vec2 } from '../../math/vec.ts';
 import { isInside } from '../../skeleton/medial/outline.ts';
-import type { Plane, Stroke } from '../../stroke/stroke.ts';
-import { type Document, type Draft, readingOf } from '../document.ts';
+import type { Stroke } from '../../stroke/stroke.ts';
+import { type Document, type Draft, readingOf, staysTubes } from '../document.ts';
 import { MOST_HOLES } from '../solid.ts';
+import { belongTogether } from '../together.ts';
 import type { CommandKind } from './index.ts';
 import { keep } from './keep.ts';
 
@@ -39,21 +40,11 @@ export function joinsDraft(document: Document, stroke: Stroke): boolean {
     const holds = form === undefined || form === 'soft' || form === 'plate';
     return holds && stroke.closed && strokes.length <= MOST_HOLES && liesInside(stroke, first);
   }
-  return strokes.length === 1 && !document.tubesOnly && form !== 'tube';
+  return strokes.length === 1 && !staysTubes(document) && form !== 'tube';
 }
 
 /** All of it. */
 function liesInside({ samples }: Stroke, { samples: outline }: Stroke): boolean {
   const loop = outline.map(({ x, y }): Vec2 => [x, y]);
   return samples.every(({ x, y }) => isInside([x, y], [loop]));
-}
-
-/** May two strokes be sides of one form? */
-export function belongTogether(a: Stroke, b: Stroke): boolean {
-  return a.closed === b.closed && samePlane(a.plane, b.plane);
-}
-
-export function samePlane(a: Plane, b: Plane): boolean {
-  const same = (key: keyof Plane) => a[key].every((value, i) => value === b[key][i]);
-  return a === b || (same('origin') && same('x') && same('y'));
 }

@@ -1,7 +1,23 @@
-import { type Document, type Draft, formOfDraft, isSurface, type SurfacePart } from '../document.ts';
-import { areInReach } from '../inReach.ts';
+import {
+  type Document,
+  type Draft,
+  formOfDraft,
+  isSurface,
+  type Reading,
+  readingOf,
+  type SurfacePart,
+} from '../document.ts';
+import { isFormInReach } from '../inReach.ts';
 import { LIMITS } from '../limits.ts';
-import { isPlainDetail, kindOfStrokes, PLAIN, type SurfaceForm, strokesOfForm } from '../surfacePart.ts';
+import { strayIn, straySection } from '../strays.ts';
+import {
+  isPlainDetail,
+  kindOfStrokes,
+  MADE_OF,
+  PLAIN,
+  type SurfaceForm,
+  steppedBack,
+} from '../surfacePart.ts';
 import { changeParts } from './changeParts.ts';
 
 /** Whose strokes are meant: those of a kept part, or, without an id, of the unfinished form. */
@@ -9,34 +25,36 @@ export interface Whose {
   readonly part?: string;
 }
 
-/** The strokes of a part or of the unfinished form; null where there is none, or it is no surface. */
-export function formIn({ parts, draft }: Document, { part: id }: Whose): SurfaceForm | null {
-  if (id === undefined) return draft && formOfDraft(draft);
-  const part = parts.find((other) => other.id === id);
-  return part && isSurface(part) ? part : null;
-}
+/** What becomes of a form that is read as `kind`; null, or the same form: nothing. */
+export type Change = (form: SurfaceForm, kind: Reading) => SurfaceForm | null;
 
-/** With other strokes: what it is follows from their number. Null, or the same form, changes nothing; neither does what no file could hold. */
-export function changeForm(
-  document: Document,
-  { part }: Whose,
-  change: (form: SurfaceForm) => SurfaceForm | null,
-): Document {
+/**
+ * With other strokes: what it is follows from their number. What no file could hold is not done. `goesOn`: whoever stepped back to what fewer
+ * strokes make goes on from there; else that stays.
+ */
+export function changeForm(document: Document, { part }: Whose, change: Change, goesOn = false): Document {
   if (part !== undefined)
-    return changeParts(document, [part], (found) => (isSurface(found) ? changedPart(found, change) : found));
+    return changeParts(document, [part], (found) =>
+      isSurface(found) ? changedPart(found, change, goesOn) : found,
+    );
   const { draft } = document;
-  if (!draft) return document;
+  const kind = readingOf(document);
+  if (!draft || !kind) return document;
   const form = formOfDraft(draft);
-  const next = change(form);
-  return !next || next === form || !fits(next) ? document : { ...document, draft: draftWith(draft, next) };
+  const next = change(form, kind);
+  if (!next || next === form || !fits(next)) return document;
+  // of solids only the strokes can change
+  if (kind === 'solid' && !isSameBut(next, form)) return document;
+  if (goesOn && !isCounted(next, kindOfStrokes(next))) return document;
+  return { ...document, draft: draftWith(draft, next, goesOn) };
 }
 
-function changedPart(part: SurfacePart, change: (form: SurfaceForm) => SurfaceForm | null): SurfacePart {
-  const next = change(part);
+function changedPart(part: SurfacePart, change: Change, goesOn: boolean): SurfacePart {
+  const next = change(part, part.kind);
   if (!next || next === part || !fits(next)) return part;
   const { strokes, sections, back, between, bends, detail } = next;
-  const isCounted = strokes.length !== part.strokes.length || sections.length !== part.sections.length;
-  const kind = isCounted ? kindOfStrokes(next) : part.kind;
+  const kind = steppedBack(next, goesOn ? undefined : part.kind);
+  if (!isCounted(next, kind)) return part;
   return { ...part, kind, strokes, sections, back, between, bends, detail };
 }
 
@@ -44,16 +62,26 @@ const fits = (form: SurfaceForm): boolean =>
   form.sections.length <= LIMITS.sections &&
   form.bends.length <= LIMITS.bends &&
   form.sections.every(({ redraws }) => redraws.length <= LIMITS.redraws) &&
-  areInReach(strokesOfForm(form));
+  isFormInReach(form) &&
+  !strayIn(form.strokes) &&
+  !straySection(form.strokes, form.sections);
 
-/** What says nothing is left out; more sections than before end that a person stepped back. */
-export function draftWith(draft: Draft, { strokes, sections, back, between, detail }: SurfaceForm): Draft {
+const isCounted = ({ strokes }: SurfaceForm, kind: keyof typeof MADE_OF): boolean =>
+  strokes.length >= MADE_OF[kind].strokes.least && strokes.length <= MADE_OF[kind].strokes.most;
+
+const isSameBut = (a: SurfaceForm, b: SurfaceForm): boolean =>
+  a.sections === b.sections && a.back === b.back && a.between === b.between && a.detail === b.detail;
+
+/** What says nothing is left out. */
+export function draftWith(draft: Draft, next: SurfaceForm, goesOn = false): Draft {
+  const { strokes, sections, back, between, detail } = next;
   const { form, sections: _s, back: _b, between: _w, detail: _d, ...rest } = draft;
-  const isMore = sections.length > (draft.sections?.length ?? 0);
+  // closed strokes of which nothing is said would be a solid once their sections are gone
+  const said = goesOn ? (strokes[0]!.closed ? kindOfStrokes(next) : undefined) : form;
   return {
     ...rest,
     strokes,
-    ...(form && !isMore && { form }),
+    ...(said && { form: said }),
     ...(sections.length > 0 && { sections }),
     ...(back !== PLAIN.back && { back }),
     ...(between !== PLAIN.between && { between }),

@@ -5,9 +5,9 @@ import { add3, dot3, scale3, sub3, unrotate3 } from '../../math/tuple.ts';
 import type { Vec3 } from '../../math/vec.ts';
 import type { Stroke } from '../../stroke/stroke.ts';
 import { isBody, isSolid, type Part } from '../document.ts';
-import { areInReach, isGroupInReach } from '../inReach.ts';
+import { isFormInReach, isGroupInReach } from '../inReach.ts';
 import { type Group, groupsOf, withGroups } from '../solid.ts';
-import { strokesOfForm, withStrokes } from '../surfacePart.ts';
+import { withStrokes } from '../surfacePart.ts';
 import { changeParts, nameOf } from './changeParts.ts';
 import type { CommandKind } from './index.ts';
 
@@ -51,7 +51,7 @@ function mirrored(part: Part, mirror: Mirror): Part {
   }
   const isFlat = part.sections.length === 0 && part.bends.length === 0;
   const next = withStrokes(part, (stroke) => (isFlat ? mirroredStroke : turnedOver)(stroke, mirror));
-  return areInReach(strokesOfForm(next)) ? next : part;
+  return isFormInReach(next) ? next : part;
 }
 
 /** What is in front stays in front: instead of the plane's normal its x axis is turned over, and what was drawn with it. */

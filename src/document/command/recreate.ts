@@ -1,4 +1,5 @@
 import { type Document, isSurface } from '../document.ts';
+import { isFormInReach } from '../inReach.ts';
 import { placedStroke } from '../placedStroke.ts';
 import { kindOfStrokes, withStrokes } from '../surfacePart.ts';
 import { draftWith } from './changeForm.ts';
@@ -18,7 +19,8 @@ export const recreate: CommandKind<'recreate', Data> = {
     const part = on.parts.find((other) => other.id === id);
     if (!part || !isSurface(part) || on.draft) return document;
     const form = withStrokes(part, (stroke) => placedStroke(stroke, part.placement));
-    const isStepped = part.kind !== kindOfStrokes(part) || on.tubesOnly;
+    if (!isFormInReach(form)) return document;
+    const isStepped = part.kind !== kindOfStrokes(part);
     const recreates = { part: id, brush: on.brush };
     const draft = draftWith({ strokes: form.strokes, recreates }, form);
     return { ...on, brush: part.brush, draft: isStepped ? { ...draft, form: part.kind } : draft };

@@ -1,4 +1,5 @@
 import { changeParts, nameOf } from './changeParts.ts';
+import { withoutHand } from './drop.ts';
 import type { CommandKind } from './index.ts';
 
 /** Deletes the parts, components and groups with these ids; what is empty then goes with them. */
@@ -7,7 +8,7 @@ export const removeParts: CommandKind<'removeParts', { readonly ids: readonly st
   apply(document, { ids }) {
     const gone = new Set(ids);
     const parts = document.parts.filter(({ id }) => !gone.has(id));
-    const left = parts.length === document.parts.length ? document : { ...document, parts };
+    const left = parts.length === document.parts.length ? document : withoutHand({ ...document, parts });
     return changeParts(
       left,
       ids,

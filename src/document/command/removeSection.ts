@@ -15,12 +15,11 @@ export const removeSection: CommandKind<'removeSection', Data> = {
     changeForm(document, whose, (form) => {
       const section = form.sections[index];
       if (!section) return null;
-      if (only === undefined)
-        return { ...form, sections: form.sections.filter((other) => other !== section) };
+      if (only === undefined) return { ...form, sections: form.sections.filter((_, i) => i !== index) };
       if (only === 'back' ? section.back === null : section.redraws.length === 0) return null;
       const less =
         only === 'back' ? { ...section, back: null } : { ...section, redraws: section.redraws.slice(0, -1) };
-      return { ...form, sections: form.sections.map((other) => (other === section ? less : other)) };
+      return { ...form, sections: form.sections.map((other, i) => (i === index ? less : other)) };
     }),
   describe: (_document, { index, only }) =>
     only === undefined

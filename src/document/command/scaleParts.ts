@@ -3,10 +3,10 @@ import { add3, scale3, sub3 } from '../../math/tuple.ts';
 import type { Vec3 } from '../../math/vec.ts';
 import { isInReach, type Stroke } from '../../stroke/stroke.ts';
 import { type Brush, isBody, isSolid, type Part } from '../document.ts';
-import { areInReach, isGroupInReach } from '../inReach.ts';
+import { isFormInReach, isGroupInReach } from '../inReach.ts';
 import { RADII } from '../radii.ts';
 import { type Group, groupsOf, withGroups } from '../solid.ts';
-import { strokesOfForm, withStrokes } from '../surfacePart.ts';
+import { withStrokes } from '../surfacePart.ts';
 import { changeParts, nameOf } from './changeParts.ts';
 import type { CommandKind } from './index.ts';
 import { mapped } from './mirrorParts.ts';
@@ -53,7 +53,7 @@ function scaled(part: Part, factor: number, about: Vec3): Part {
   }
   const form = withStrokes(part, (stroke) => scaledStroke(stroke, factor, [0, 0, 0]), factor);
   const brush = scaledBrush(part.brush, factor);
-  return brush && areInReach(strokesOfForm(form)) ? { ...form, placement, brush } : part;
+  return brush && isFormInReach(form) ? { ...form, placement, brush } : part;
 }
 
 function scaledGroup(group: Group, factor: number, about: Vec3): Group | null {

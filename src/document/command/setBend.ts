@@ -23,7 +23,7 @@ export const setBend: CommandKind<'setBend', Data> = {
       if (isSame) return null;
       return {
         ...form,
-        bends: form.bends.flatMap((b) => (b === old ? (change ? [{ ...b, ...change }] : []) : [b])),
+        bends: form.bends.flatMap((b, i) => (i === index ? (change ? [{ ...b, ...change }] : []) : [b])),
       };
     }),
   describe: (document, { id, index, change }) =>

@@ -1,4 +1,4 @@
-import type { Document, Draft, Joins } from '../document.ts';
+import { type Document, type Draft, type Joins, readingOf } from '../document.ts';
 import { isForm, mostStrokes } from '../solid.ts';
 import { WORD } from '../words.ts';
 import type { CommandKind } from './index.ts';
@@ -17,16 +17,19 @@ export const setForm: CommandKind<'setForm', Data> = {
   apply(document, change) {
     const { draft } = document;
     if (!draft) return document;
-    const { form = draft.form ?? null, joins = draft.joins ?? null, carves = draft.carves ?? false } = change;
+    const { form: wasForm, joins: wasJoins, carves: wasCarves, ...rest } = draft;
+    const { form = wasForm ?? null, joins = wasJoins ?? null, carves = wasCarves ?? false } = change;
     // one ring has no holes, and a form round has two sides
     if (form && draft.strokes.length > most(form)) return document;
-    const { form: _form, joins: _joins, carves: _carves, ...rest } = draft;
     const next: Draft = {
       ...rest,
       ...(form && { form }),
       ...(joins && { joins }),
       ...(carves && { carves: true as const }),
     };
+    // nor has a surface
+    const reading = readingOf({ ...document, draft: next });
+    if (reading !== 'solid' && reading !== 'tube' && draft.strokes.length > 2) return document;
     return JSON.stringify(said(next)) === JSON.stringify(said(draft))
       ? document
       : { ...document, draft: next };

@@ -1,0 +1,133 @@
+/**
+ * Sections as outlines in the frame of their chord: strokes filtered like all others, turned about their chords, closed by a back, and
+ * drawn over. Cached by reference.
+ */
+import { distance2 } from '../math/tuple.ts';
+import type { Curve } from '../stroke/curve.ts';
+import type { PlacedOutline, SurfaceKind } from '../surface/index.ts';
+import { joined, round } from '../surface/joined.ts';
+import { mixedOutline } from '../surface/mixed.ts';
+import { isReversed, type Outline, outlineOf, roundHalf } from '../surface/outline.ts';
+import { redrawn } from '../surface/oversketch.ts';
+import { type Source, sourceOf } from '../surface/source.ts';
+import { curveOfStroke } from './curves.ts';
+import type { Brush } from './document.ts';
+import {
+  type Back,
+  type Section,
+  type SectionStroke,
+  type SurfaceForm,
+  sectionsInForce,
+} from './surfacePart.ts';
+
+/** How strokes become curves, and how wide a tube is. */
+type Filter = Pick<Brush, 'filter' | 'levels' | 'radius' | 'pressure'>;
+
+/** The sections that a surface of this kind follows, u ascending; all closed, or without a back all open. */
+export function outlinesOf(
+  kind: SurfaceKind,
+  form: Pick<SurfaceForm, 'strokes' | 'sections' | 'back' | 'between'>,
+  brush: Filter,
+  curves: readonly Curve[],
+): readonly PlacedOutline[] {
+  const sections = sectionsInForce(kind, form.sections);
+  if (sections.length === 0) return [];
+  const source = lazily(() => sourceOf({ ...brush, curves }));
+  const place = (section: Section): PlacedOutline => ({
+    u: section.u,
+    outline: outlineIn(section, form.back, brush, source),
+  });
+  const own = sections.filter(({ follows }) => !follows).map(place);
+  const isRound = curves.every(({ closed }) => closed);
+  return sections.map((section) => {
+    if (!section.follows) return own.find(({ u }) => u === section.u)!;
+    const { u } = section;
+    const base = own.length > 0 ? mixedOutline(own, u, form.between, isRound) : circle(form.back);
+    return { u, outline: drawnOver(base, section, brush) };
+  });
+}
+
+/** Without any stroke. */
+const circle = (back: Back): Outline => (back === 'none' ? roundHalf : round);
+
+const outlines = new WeakMap<Section, { readonly key: string; readonly outline: Outline }>();
+
+function outlineIn(section: Section, back: Back, brush: Filter, source: () => Source): Outline {
+  const { front, back: own } = section;
+  const turned = [front, own].map((drawn) => drawn && isTurned(drawn, brush, source));
+  const key = JSON.stringify([brush.filter, brush.levels, back, turned]);
+  const known = outlines.get(section);
+  if (known?.key === key) return known.outline;
+  const over = (front && halfOf(front, turned[0]!, brush)) ?? roundHalf;
+  const under = (back === 'drawn' && own && halfOf(own, turned[1]!, brush)) || 'mirror';
+  const whole =
+    back === 'none' ? over : over === roundHalf && under === 'mirror' ? round : joined(over, under);
+  const outline = drawnOver(whole, section, brush);
+  outlines.set(section, { key, outline });
+  return outline;
+}
+
+const drawnOver = (outline: Outline, { redraws }: Section, brush: Filter): Outline =>
+  redraws.reduce((before, { stroke, half }) => {
+    const curve = curveOfStroke(stroke, brush);
+    return curve ? redrawn(before, scaled(curve, 1 / half)) : before;
+  }, outline);
+
+/** A front or a back; null where the stroke is too short to say anything. */
+function halfOf({ stroke, half }: SectionStroke, reversed: boolean, brush: Filter): Outline | null {
+  const curve = lineOf(stroke, brush);
+  return curve && outlineOf(curve, { reversed, across: half === null });
+}
+
+/** One end belongs to one side and one to the other, though they meet. */
+const lineOf = (stroke: SectionStroke['stroke'], brush: Filter): Curve | null =>
+  curveOfStroke(stroke.closed ? opened(stroke) : stroke, brush);
+
+const openStrokes = new WeakMap<SectionStroke['stroke'], SectionStroke['stroke']>();
+
+function opened(stroke: SectionStroke['stroke']): SectionStroke['stroke'] {
+  const known = openStrokes.get(stroke);
+  if (known) return known;
+  const open = { ...stroke, closed: false, samples: [...stroke.samples] };
+  openStrokes.set(stroke, open);
+  return open;
+}
+
+/** u at which the sides are compared with the ends of a stroke */
+const LOOKS = 64;
+
+/** It was drawn from q_r to q_l: where it lies nearest to the sides. The curves may have become others since. */
+function isTurned({ stroke, half }: SectionStroke, brush: Filter, source: () => Source): boolean {
+  const curve = lineOf(stroke, brush);
+  if (!curve) return false;
+  if (half !== null) return isReversed(curve, [-half, 0], [half, 0]);
+  const [a, b] = [curve.point(0), curve.point(1)];
+  const away = Array.from({ length: LOOKS + 1 }, (_, i) => {
+    const { left, right } = source().stand(i / LOOKS, 1);
+    return {
+      along: distance2(a, left) + distance2(b, right),
+      against: distance2(b, left) + distance2(a, right),
+    };
+  });
+  return Math.min(...away.map(({ against }) => against)) < Math.min(...away.map(({ along }) => along));
+}
+
+function lazily<T>(make: () => T): () => T {
+  let made: { readonly value: T } | null = null;
+  return () => {
+    made ??= { value: make() };
+    return made.value;
+  };
+}
+
+const scaled = (curve: Curve, k: number): Curve => ({
+  closed: curve.closed,
+  length: k * curve.length,
+  corners: curve.corners,
+  point: (u) => {
+    const [x, y] = curve.point(u);
+    return [k * x, k * y];
+  },
+  tangent: curve.tangent,
+  pressure: curve.pressure,
+});

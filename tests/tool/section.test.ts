@@ -1,0 +1,360 @@
+/** Drawing across: two sides 200 px apart, x = 300 and 500, drawn from y = 100 down to 500; a pixel is a third of a millimetre. */
+import { beforeEach, describe, expect, it } from 'vitest';
+import { isSurface, readingOf } from '../../src/document/document.ts';
+import { placedStroke } from '../../src/document/placedStroke.ts';
+import type { Vec3 } from '../../src/math/vec.ts';
+import { project, toWorld } from '../../src/stroke/plane.ts';
+import { idle } from '../../src/tool/draw.ts';
+import type { Mark } from '../../src/tool/marks.ts';
+import { sectioning } from '../../src/tool/section.ts';
+import { Driver } from './driver.ts';
+
+type Point = readonly [x: number, y: number];
+
+const LEFT: readonly Point[] = [
+  [300, 100],
+  [300, 500],
+];
+const RIGHT: readonly Point[] = [
+  [500, 100],
+  [500, 500],
+];
+/** Bulging downwards, from the left to the right. */
+const ACROSS: readonly Point[] = [
+  [302, 200],
+  [350, 260],
+  [400, 280],
+  [450, 260],
+  [497, 202],
+];
+
+let hand: Driver;
+
+beforeEach(() => {
+  hand = new Driver();
+});
+
+function twoSides(): void {
+  hand.draw(LEFT);
+  hand.draw(RIGHT);
+}
+
+const take = () => {
+  hand.state = sectioning;
+};
+
+const pixel = (p: Vec3) => project(hand.view, hand.size, p)!;
+const marksOf = <K extends Mark['kind']>(kind: K) =>
+  (hand.state.marks ?? []).filter((mark): mark is Extract<Mark, { kind: K }> => mark.kind === kind);
+const lineOf = (style: string) =>
+  marksOf('line')
+    .find((line) => line.style === style)!
+    .points.map(pixel);
+const sections = () => hand.document.draft?.sections ?? [];
+
+describe('the guide', () => {
+  beforeEach(() => {
+    twoSides();
+    take();
+  });
+
+  it('shows within 24 px of a side, at that height, and goes beyond', () => {
+    for (const [x, y] of [
+      [320, 200],
+      [280, 200],
+      [520, 200],
+    ] as const) {
+      hand.hover(x, y);
+      const [a, b] = lineOf('flat');
+      for (const end of [a!, b!]) expect(Math.abs(end[1] - 200)).toBeLessThan(2);
+      expect(Math.abs(a![0] - b![0])).toBeCloseTo(200, 0);
+    }
+    hand.hover(330, 200);
+    expect(hand.state.marks).toBeUndefined();
+    hand.hover(300, 200);
+    hand.hover();
+    expect(hand.state.marks).toBeUndefined();
+  });
+
+  it('says how far along it is, outside of the other side', () => {
+    hand.hover(300, 200);
+    const [tag] = marksOf('tag');
+    expect(tag!.value).toBeCloseTo(25, 0);
+    expect(pixel(tag!.at)[0]).toBeCloseTo(500, 0);
+    expect(pixel(tag!.from)[0]).toBeCloseTo(300, 0);
+    expect(hand.state.guide!.u).toBeCloseTo(0.25, 2);
+  });
+
+  it('is full on the right-hand side going from q_l to q_r, hollow on the other', () => {
+    hand.hover(300, 200);
+    const [l, r] = lineOf('flat');
+    const side = (points: ReturnType<typeof lineOf>) =>
+      points.map(([x, y]) => (r![0] - l![0]) * (y - l![1]) - (r![1] - l![1]) * (x - l![0]));
+    // y runs down: what is clockwise, to the right, is above 0
+    expect(Math.min(...side(lineOf('full')))).toBeGreaterThan(-1e-6);
+    expect(Math.max(...side(lineOf('hollow')))).toBeLessThan(1e-6);
+    expect(Math.max(...side(lineOf('full')))).toBeGreaterThan(1000);
+  });
+
+  it('lets the unfinished form step back until its stroke is past the middle', () => {
+    hand.hover(300, 200);
+    expect(hand.state.faint).toBe(true);
+    hand.down(300, 200);
+    hand.move(380, 230);
+    expect(hand.state.faint).toBe(true);
+    expect(hand.state.preview!(hand)).toBeNull();
+    hand.move(420, 230);
+    expect(hand.state.faint).toBeUndefined();
+    expect(hand.state.preview!(hand)?.draft?.sections).toHaveLength(1);
+  });
+
+  it('shows where one touches, before anything is drawn', () => {
+    hand.down(302, 200);
+    expect(marksOf('ring')).toHaveLength(1);
+    expect(hand.state.guide!.u).toBeCloseTo(0.25, 2);
+    hand.up();
+    expect(hand.state.name).toBe('section.guide');
+    expect(sections()).toHaveLength(0);
+  });
+});
+
+describe('a stroke across', () => {
+  beforeEach(() => {
+    twoSides();
+    take();
+  });
+
+  it('is a section of what is drawn there, one undo step', () => {
+    hand.draw(ACROSS);
+    expect(readingOf(hand.document)).toBe('crossSection');
+    const [section] = sections();
+    expect(section!.u).toBeCloseTo(0.25, 2);
+    expect(section!.front!.half).toBeNull();
+    const { samples, plane } = section!.front!.stroke;
+    const middle = samples[Math.floor(samples.length / 2)]!;
+    const seen = pixel(toWorld(plane, [middle.x, middle.y]));
+    expect(Math.abs(seen[1] - 280)).toBeLessThan(6);
+    hand.undo();
+    expect(readingOf(hand.document)).toBe('rotational');
+  });
+
+  it('may be drawn from the right to the left', () => {
+    hand.draw([...ACROSS].reverse());
+    // where it begins
+    expect(sections()[0]!.u).toBeCloseTo((202 - 100) / 400, 3);
+  });
+
+  it('marks both ends while the other one snaps', () => {
+    hand.trace(ACROSS.slice(0, 4));
+    expect(marksOf('dot').map(({ held }) => held ?? false)).toEqual([true, false]);
+    hand.move(490, 200);
+    expect(marksOf('dot').map(({ held }) => held ?? false)).toEqual([true, true]);
+    expect(marksOf('label')).toHaveLength(0);
+  });
+
+  it('that ends outside of the form is none: the guide stays', () => {
+    hand.draw([...ACROSS, [560, 200]]);
+    expect(sections()).toHaveLength(0);
+    expect(hand.state.name).toBe('section.guide');
+    expect(hand.state.guide!.u).toBeCloseTo(0.25, 2);
+    // from where it is shown one may still begin, inside of the form
+    hand.draw([
+      [350, 210],
+      [480, 210],
+    ]);
+    expect(sections()[0]!.u).toBeCloseTo(0.25, 2);
+  });
+
+  it('that does not come past the middle is none', () => {
+    hand.draw([
+      [302, 200],
+      [380, 240],
+    ]);
+    expect(sections()).toHaveLength(0);
+  });
+
+  it('is cancelled as any other, and the guide stays', () => {
+    hand.trace(ACROSS);
+    hand.cancel();
+    expect(hand.state.name).toBe('section.guide');
+    expect(sections()).toHaveLength(0);
+    expect(hand.state.cancel()).toBe(hand.state);
+  });
+
+  it('that begins away from both sides says where to begin', () => {
+    hand.down(400, 300);
+    expect(hand.notices).toEqual(['off-sides']);
+    expect(hand.state.wet).toBeUndefined();
+  });
+
+  it('twice makes a patch, in order', () => {
+    hand.draw(ACROSS.map(([x, y]) => [x, y + 200] as const));
+    hand.draw(ACROSS);
+    expect(readingOf(hand.document)).toBe('bspline');
+    expect(sections().map(({ u }) => Math.round(100 * u))).toEqual([25, 75]);
+  });
+
+  it('makes a surface again of what was stepped back from', () => {
+    for (const command of [
+      { type: 'setForm', form: 'tube' },
+      { type: 'setTubesOnly', on: true },
+    ] as const) {
+      hand.commit([command]);
+      hand.draw(ACROSS);
+      expect(readingOf(hand.document)).toBe('crossSection');
+      expect(hand.document.tubesOnly).toBe(false);
+    }
+  });
+});
+
+describe('a back that is drawn', () => {
+  beforeEach(() => {
+    twoSides();
+    hand.commit([{ type: 'setSurface', change: { back: 'drawn' } }]);
+    take();
+    hand.draw(ACROSS);
+  });
+
+  it('is the next stroke, at the section that has none yet, wherever it begins', () => {
+    hand.hover(300, 400);
+    expect(hand.state.guide).toEqual({ u: sections()[0]!.u, side: 'back' });
+    expect(marksOf('label').map(({ word }) => word)).toEqual(['back']);
+    hand.draw(ACROSS.map(([x]) => [x, 190] as const));
+    expect(sections()).toHaveLength(1);
+    expect(sections()[0]!.back).not.toBeNull();
+    hand.undo();
+    expect(sections()[0]!.back).toBeNull();
+  });
+
+  it('is followed by further sections', () => {
+    hand.draw(ACROSS.map(([x]) => [x, 190] as const));
+    hand.draw(ACROSS.map(([x, y]) => [x, y + 200] as const));
+    expect(sections().map(({ back }) => back !== null)).toEqual([true, false]);
+  });
+});
+
+describe('without an unfinished form', () => {
+  const parts = () => hand.document.parts;
+
+  it('says what is missing', () => {
+    take();
+    hand.down(300, 200);
+    hand.state = idle;
+    hand.draw(LEFT);
+    take();
+    hand.down(300, 200);
+    expect(hand.notices).toEqual(['no-sides', 'no-sides']);
+  });
+
+  it('sections go to the selected part, else to the last one with two sides', () => {
+    twoSides();
+    hand.commit([{ type: 'keep' }]);
+    hand.state = idle;
+    for (const line of [LEFT, RIGHT]) hand.draw(line.map(([x, y]) => [x + 250, y] as const));
+    hand.commit([{ type: 'keep' }]);
+    take();
+    hand.draw(ACROSS);
+    expect(parts().map(({ kind }) => kind)).toEqual(['rotational', 'rotational']);
+    hand.select([parts()[0]!.id]);
+    hand.draw(ACROSS);
+    expect(parts().map(({ kind }) => kind)).toEqual(['crossSection', 'rotational']);
+  });
+
+  it('they are drawn where the part was moved to, and kept in its own space', () => {
+    twoSides();
+    hand.commit([
+      { type: 'keep' },
+      { type: 'moveParts', ids: ['part-1'], by: { rotation: [0, 0, 0.6, 0.8], translation: [10, 4, 0] } },
+    ]);
+    const [before] = parts();
+    take();
+    if (!before || !isSurface(before)) throw new Error('no surface');
+    const { plane } = placedStroke(before.strokes[0]!, before.placement);
+    const seen = ([x, y]: Point): Point => {
+      // where the pixel of the first view lies now
+      const p = pixel(toWorld(plane, [(x - 400) / 3, (300 - y) / 3]));
+      return [p[0], p[1]];
+    };
+    hand.draw(ACROSS.map(seen));
+    const [part] = parts();
+    if (part?.kind !== 'crossSection') throw new Error(`it is ${part?.kind}`);
+    expect(part.sections[0]!.u).toBeCloseTo(0.25, 2);
+    const { stroke } = part.sections[0]!.front!;
+    expect(stroke.plane).toEqual(part.strokes[0]!.plane);
+    const deepest = Math.min(...stroke.samples.map(({ y }) => y));
+    expect(deepest).toBeCloseTo((300 - 280) / 3, 0);
+  });
+
+  it('bends and a plane on edge stand in the way', () => {
+    twoSides();
+    hand.commit([{ type: 'keep' }]);
+    const [part] = parts();
+    if (!part || !isSurface(part)) throw new Error('no surface');
+    take();
+    hand.view = { ...hand.view, rotation: [0, Math.SQRT1_2, 0, Math.SQRT1_2] };
+    hand.down(400, 200);
+    hand.view = { ...hand.view, rotation: [0, 0, 0, 1] };
+    const bend = { stroke: part.strokes[0]!, keepsLength: true, isOff: false };
+    hand.commit([{ type: 'bend', id: part.id, bend }]);
+    hand.down(300, 200);
+    expect(hand.notices).toEqual(['edge-on', 'bent']);
+  });
+});
+
+describe('with Draw', () => {
+  beforeEach(twoSides);
+
+  it('a stroke from one side to the other is a section', () => {
+    hand.trace(ACROSS.slice(0, 3));
+    expect(marksOf('tag')).toHaveLength(1);
+    expect(hand.state.preview!(hand)).toBeNull();
+    hand.move(497, 202);
+    expect(hand.state.preview!(hand)?.draft?.sections).toHaveLength(1);
+    hand.up();
+    expect(readingOf(hand.document)).toBe('crossSection');
+    expect(hand.document.parts).toHaveLength(0);
+  });
+
+  it('one that ends elsewhere begins the next form', () => {
+    hand.draw([
+      [302, 200],
+      [240, 200],
+      [200, 260],
+    ]);
+    expect(hand.document.parts.map(({ kind }) => kind)).toEqual(['rotational']);
+    expect(hand.document.draft!.strokes).toHaveLength(1);
+  });
+
+  it('one that starts outside keeps the form, wherever it ends', () => {
+    hand.draw([
+      [200, 200],
+      [497, 200],
+    ]);
+    expect(hand.document.parts).toHaveLength(1);
+    expect(sections()).toHaveLength(0);
+  });
+
+  it('tubes stay tubes', () => {
+    hand.commit([{ type: 'setForm', form: 'tube' }]);
+    hand.draw(ACROSS);
+    expect(hand.document.parts.map(({ kind }) => kind)).toEqual(['tube', 'tube']);
+  });
+});
+
+it('what the guide shows is what the surface is made with: its u moves with the sides of the pair', () => {
+  hand.draw([
+    [300, 100],
+    [300, 500],
+  ]);
+  // the other way round, and only half as long
+  hand.draw([
+    [500, 400],
+    [500, 200],
+  ]);
+  take();
+  hand.hover(300, 200);
+  const [a, b] = lineOf('flat');
+  const right = a![0] > b![0] ? a! : b!;
+  // a quarter of the way down on both
+  expect(right[1]).toBeCloseTo(250, -1);
+});
