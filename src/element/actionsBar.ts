@@ -17,6 +17,7 @@ import {
   removeSelection,
 } from './partDeeds.ts';
 import { isHidden } from './partRows.ts';
+import { startRedraw } from './redraws.ts';
 import type { Session } from './session.ts';
 import { isSkeletonOn, selectedSkeleton, toggleSkeleton } from './skeletonEdit.ts';
 import { EDIT_WORDS, PART_WORDS, SKELETON_WORDS, SOLID_WORDS } from './words.ts';
@@ -48,7 +49,8 @@ export function actionsBar(session: Session, actions: Actions): TemplateResult |
 function bends(session: Session): TemplateResult | typeof nothing {
   const [part, ...others] = partsWith(session.document, session.selection);
   if (!part || others.length > 0 || part.hidden || !isSurface(part)) return nothing;
-  return html`${iconButton('bend', EDIT_WORDS.bend, () => startBend(session), { key: EDIT_WORDS.bendKey })}`;
+  return html`${iconButton('bend', EDIT_WORDS.bend, () => startBend(session), { key: EDIT_WORDS.bendKey })}
+    ${iconButton('redraw', EDIT_WORDS.redraw, () => startRedraw(session), { key: EDIT_WORDS.redrawKey })}`;
 }
 
 /** Where the mirror stands is told by their tooltips. */
