@@ -155,10 +155,7 @@ export function sectionSeenAt(
   if (!found || !drawing) return null;
   let least = Infinity;
   const u = nearestU(found.sheet, (k, points) => {
-    const world = place3(
-      seen.placement,
-      outOf(drawing, [points[k]!, points[k + 1]!, points[k + 2]!]),
-    );
+    const world = place3(seen.placement, outOf(drawing, [points[k]!, points[k + 1]!, points[k + 2]!]));
     const at = shown(world);
     if (at) least = Math.min(least, Math.hypot(at[0], at[1]));
     return at ? [at[0], at[1], 0] : null;
@@ -167,10 +164,7 @@ export function sectionSeenAt(
 }
 
 /** Between the two rows around the nearest point; `away`: from the place to the point at k. */
-function nearestU(
-  { rows }: Sheet,
-  away: (k: number, points: Float64Array) => Vec3 | null,
-): number | null {
+function nearestU({ rows }: Sheet, away: (k: number, points: Float64Array) => Vec3 | null): number | null {
   let best = { row: -1, k: 0, off: Infinity };
   rows.forEach(({ points, at }, row) => {
     if (at.rigid) return;

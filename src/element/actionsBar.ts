@@ -17,6 +17,7 @@ import {
   removeSelection,
 } from './partDeeds.ts';
 import { isHidden } from './partRows.ts';
+import { recreatePart } from './recreating.ts';
 import { startRedraw } from './redraws.ts';
 import type { Session } from './session.ts';
 import { isSkeletonOn, selectedSkeleton, toggleSkeleton } from './skeletonEdit.ts';
@@ -50,7 +51,8 @@ function bends(session: Session): TemplateResult | typeof nothing {
   const [part, ...others] = partsWith(session.document, session.selection);
   if (!part || others.length > 0 || part.hidden || !isSurface(part)) return nothing;
   return html`${iconButton('bend', EDIT_WORDS.bend, () => startBend(session), { key: EDIT_WORDS.bendKey })}
-    ${iconButton('redraw', EDIT_WORDS.redraw, () => startRedraw(session), { key: EDIT_WORDS.redrawKey })}`;
+    ${iconButton('redraw', EDIT_WORDS.redraw, () => startRedraw(session), { key: EDIT_WORDS.redrawKey })}
+    ${iconButton('recreate', EDIT_WORDS.recreate, () => recreatePart(session, part.id), { hint: EDIT_WORDS.recreateHint })}`;
 }
 
 /** Where the mirror stands is told by their tooltips. */

@@ -28,5 +28,10 @@ export function bendCard(session: Session): TemplateResult | typeof nothing {
 const lengths = (session: Session, keepsLength: boolean): TemplateResult =>
   segment(EDIT_WORDS.length, [
     { name: kept, hint: EDIT_WORDS.keptHint, on: keepsLength, run: () => setBendLength(session, true) },
-    { name: stretched, hint: EDIT_WORDS.stretchedHint, on: !keepsLength, run: () => setBendLength(session, false) },
+    {
+      name: stretched,
+      hint: EDIT_WORDS.stretchedHint,
+      on: !keepsLength,
+      run: () => setBendLength(session, false),
+    },
   ]);

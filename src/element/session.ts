@@ -69,7 +69,13 @@ export interface Notice {
   readonly actions: readonly { readonly label: string; run(): void }[];
 }
 
-export const TOOLS = { draw: idle, section: sectioning, redraw: redrawing(false), bend: choosing, select: selecting } as const;
+export const TOOLS = {
+  draw: idle,
+  section: sectioning,
+  redraw: redrawing(false),
+  bend: choosing,
+  select: selecting,
+} as const;
 /** ms: what takes less is done before one asks */
 const PATIENCE = 500;
 /** ms: a pen or a slider that is still for so long rests, and what is shown is made finely */

@@ -45,12 +45,7 @@ export const redrawOnce = (back: State): State => ({
   cancel: () => back,
 });
 
-function begun(
-  pen: Pen,
-  bench: Bench,
-  local: boolean,
-  back: (lit: Lit | null) => State,
-): State | undefined {
+function begun(pen: Pen, bench: Bench, local: boolean, back: (lit: Lit | null) => State): State | undefined {
   const lit = litAt(pen, bench, local);
   if (typeof lit === 'string') {
     bench.notify(lit);
@@ -108,5 +103,12 @@ function commandOf({ lit, local, trace }: Drawn, { viewport }: Bench): Command |
 }
 
 function marksOf(lit: Lit): readonly Mark[] {
-  return [{ kind: 'line', style: 'lit', points: lit.points, ...(lit.kind === 'section' && lit.closed && { closed: true as const }) }];
+  return [
+    {
+      kind: 'line',
+      style: 'lit',
+      points: lit.points,
+      ...(lit.kind === 'section' && lit.closed && { closed: true as const }),
+    },
+  ];
 }
