@@ -34,6 +34,7 @@ import { partsLayout } from './partsLayout.ts';
 import { chipPlace, type Place, screenBox, strokesBox } from './place.ts';
 import { PointerRouter } from './pointer.ts';
 import { profileLayout } from './profileEditor.ts';
+import { redrawCard } from './redrawCard.ts';
 import { SceneLife, type SceneOwner } from './sceneLife.ts';
 import { Session } from './session.ts';
 import { hasSkeleton } from './skeletonEdit.ts';
@@ -291,7 +292,7 @@ export class RotundSketch extends SketchApi {
     const around = {
       before: html`${hasSkeleton(session) ? skeletonOverlay(session) : gizmo(session, this)} ${empty && (session.noPicture?.told ?? true) ? html`<div class="start ${this.files.samples.list.length > 0 ? 'filled' : ''}">${hint()}${gallery(this)}</div>` : nothing} ${fileTray(session, this)}`,
       after: html`${rail(session, this)} ${meter(session)}
-        ${actionsBar(session, this)} ${bendCard(session)} ${acrossCard(session, this)} ${chip(session, this)}`,
+        ${actionsBar(session, this)} ${bendCard(session)} ${redrawCard(session)} ${acrossCard(session, this)} ${chip(session, this)}`,
     };
     return html`<div class="app ${isDark(session.look.background) ? 'on-dark' : ''}">
       <div class="stage ${this.#cursor}" part="stage" role=${this.readOnly ? 'img' : 'application'}
