@@ -71,6 +71,8 @@ export const layout = css`
   /* rail */
   .rail { position: absolute; left: var(--gap); top: 50%; transform: translateY(-50%); width: 3.75rem; padding: 0.4375rem; border-radius: 1.25rem; display: flex; flex-direction: column; gap: 0.25rem; align-items: center; }
   .rail hr { width: 1.75rem; border: 0; border-top: 1px solid var(--hairline); margin: 0.25rem 0; }
+  .rail button.caption { min-width: 2.75rem; min-height: 2.75rem; border-radius: 0.75rem; }
+  .rail button.caption:hover { background: var(--sunken); }
   .rail .caption { font-size: 0.75rem; line-height: 1rem; color: var(--ink-2); text-align: center; white-space: nowrap; }
   .rail.named { width: 11rem; align-items: stretch; }
   .rail.named .b { justify-content: flex-start; padding: 0 0.625rem; gap: 0.75rem; }
@@ -161,10 +163,10 @@ export const layout = css`
   .dots { display: flex; padding: 0 0.25rem; }
   .dots button { width: 2.75rem; height: 2.75rem; display: grid; place-items: center; border-radius: 50%; position: relative; }
   .dots i { width: 1.75rem; height: 1.75rem; border-radius: 50%; border: 1px solid var(--edge); }
-  .dots [aria-checked='true']::after, .spheres [aria-checked='true']::after { content: ''; position: absolute; inset: 3px; border-radius: 50%; border: 3px solid var(--pencil); }
+  .dots [aria-checked='true']::after, .spheres [aria-checked='true']::after { content: ''; position: absolute; inset: 1px; border-radius: 50%; border: 3px solid var(--pencil); }
   .spheres { display: grid; grid-template-columns: repeat(6, 1fr); }
   .spheres button { width: 2.875rem; height: 2.875rem; display: grid; place-items: center; border-radius: 50%; position: relative; }
-  .spheres .ball { width: 2.125rem; height: 2.125rem; color: var(--active); }
+  .spheres .ball { width: 2.75rem; height: 2.75rem; color: var(--active); }
   .faces { display: grid; grid-template-columns: repeat(3, 1fr); gap: 0.25rem; padding: 0.25rem 0.5rem; }
   .faces .b { font-size: 0.8125rem; }
   .menu { width: 16.5rem; right: var(--gap); }

@@ -8,6 +8,7 @@ import { type Actions, roving, styleRadios } from './controls.ts';
 import { drawingsPanel } from './drawingsPanel.ts';
 import { exportPanel } from './exportPanel.ts';
 import { filePanel } from './filePanel.ts';
+import { brushFinish, partFinish } from './finishCard.ts';
 import { type IconName, icon } from './icons.ts';
 import { frame, toggle } from './panelFrame.ts';
 import { partColours } from './partCard.ts';
@@ -100,10 +101,15 @@ function stroke(session: Session): TemplateResult {
 /** Of the selected parts, or else of what is being drawn. */
 function palette(session: Session, actions: Actions): TemplateResult {
   if (session.tool === 'select' && session.selection.length > 0)
-    return frame('Colour', 'palette', actions, html`<section>${partColours(session)}</section>`);
+    return frame(
+      'Colour',
+      'palette',
+      actions,
+      html`<section>${partColours(session)} ${partFinish(session)}</section>`,
+    );
   const { colour } = session.document.brush;
   const set = (value: string) => session.setBrush({ colour: value });
-  const body = html`<section>${spheres('Colour of this and the next form', colour, colour, set)}</section>`;
+  const body = html`<section>${spheres('Colour of this and the next form', colour, colour, set)} ${brushFinish(session)}</section>`;
   return frame('Colour', 'palette', actions, body);
 }
 

@@ -1,10 +1,12 @@
 /**
- * GLB: binary glTF 2.0, in metres as that format demands. A node with a mesh a part, a material a colour, normals and
+ * GLB: binary glTF 2.0, in metres as that format demands. A node with a mesh a part, a material a colour and finish, normals and
  * texture coordinates; painted parts have their colours by vertex, over white. The library that writes it is fetched when the first file is written.
  */
 import type { Accessor, Buffer, Document, Material } from '@gltf-transform/core';
+import { isPlainFinish } from '../document/finish.ts';
 import { linearRgb } from './colour.ts';
 import type { Exporter } from './index.ts';
+import { materialsOf, metalnessOf, roughnessOf, type Material as Worn } from './material.ts';
 import { fileName } from './names.ts';
 import { type FilePart, fileParts } from './parts.ts';
 
@@ -21,11 +23,7 @@ export const glb: Exporter = {
   },
 };
 
-/** what vertices are painted on: glTF multiplies the two */
-const WHITE = '#ffffff';
 const METRES = 0.001;
-/** clay: no metal, hardly a gleam */
-const ROUGHNESS = 0.8;
 
 function fill(document: Document, parts: readonly FilePart[]): Document {
   document.getRoot().getAsset().generator = 'Rotund';
@@ -34,23 +32,24 @@ function fill(document: Document, parts: readonly FilePart[]): Document {
   const scene = document.createScene();
   document.getRoot().setDefaultScene(scene);
   const buffer = document.createBuffer();
-  const materials = new Map<string, Material>();
-  for (const part of parts) {
-    const colour = part.mesh.colours ? WHITE : part.colour.toLowerCase();
-    const material = materials.get(colour) ?? materialOf(document, colour);
-    materials.set(colour, material);
+  const worn = materialsOf(parts);
+  const materials = new Map<Worn, Material>();
+  for (const [i, part] of parts.entries()) {
+    const material = materials.get(worn[i]!) ?? materialOf(document, worn[i]!);
+    materials.set(worn[i]!, material);
     scene.addChild(nodeOf(document, buffer, part, material));
   }
   return document;
 }
 
-function materialOf(document: Document, colour: string): Material {
+function materialOf(document: Document, { name, colour, finish }: Worn): Material {
+  const [red, green, blue] = linearRgb(colour).map((value) => Math.min(1, value * finish.diffuse));
   return (
     document
-      .createMaterial(colour)
-      .setBaseColorFactor([...linearRgb(colour), 1])
-      .setMetallicFactor(0)
-      .setRoughnessFactor(ROUGHNESS)
+      .createMaterial(isPlainFinish(finish) ? colour : name)
+      .setBaseColorFactor([red!, green!, blue!, 1])
+      .setMetallicFactor(metalnessOf(finish))
+      .setRoughnessFactor(roughnessOf(finish))
       // as in the program: a form without caps is seen from within, too
       .setDoubleSided(true)
   );

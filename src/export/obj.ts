@@ -1,16 +1,16 @@
 /**
  * Wavefront OBJ with its material library: a group (and object) a part, positions, texture coordinates and normals with
- * the digits that float32 needs, one material a colour. OBJ has no unit and no colour space; both are in comments. Painted parts
+ * the digits that float32 needs, one material a colour and finish. OBJ has no unit and no colour space; both are in comments. Painted parts
  * have a colour behind each position, as display values, which MeshLab, Blender and others read, and a white material.
  */
+
+import { isPlainFinish } from '../document/finish.ts';
 import { ByteWriter } from './bytes.ts';
 import { display, displayBytes } from './colour.ts';
 import type { Exporter } from './index.ts';
+import { type Material, materialsOf } from './material.ts';
 import { fileName, wordNames, wordOf } from './names.ts';
 import { type FilePart, fileParts } from './parts.ts';
-
-/** what vertices are painted on */
-const WHITE = '#ffffff';
 
 export const obj: Exporter = {
   id: 'obj',
@@ -33,6 +33,7 @@ function geometry(parts: readonly FilePart[], library: string): Uint8Array<Array
   const out = new ByteWriter();
   out.text('# Rotund\n# unit: millimetre; axes: right-handed, y up\n');
   out.text(`mtllib ${library}\n`);
+  const worn = materialsOf(parts);
   const names = wordNames(parts.map(({ name }) => name));
   // Vertices are numbered from 1 through the whole file.
   let first = 1;
@@ -43,7 +44,7 @@ function geometry(parts: readonly FilePart[], library: string): Uint8Array<Array
     else vectors(out, 'v', mesh.positions, 3);
     vectors(out, 'vt', mesh.uvs, 2);
     vectors(out, 'vn', mesh.normals, 3);
-    out.text(`usemtl ${materialName(materialOf(part))}\n`);
+    out.text(`usemtl ${worn[i]!.name}\n`);
     faces(out, mesh.indices, first);
     first += mesh.positions.length / 3;
   });
@@ -94,17 +95,22 @@ function corner(out: ByteWriter, vertex: number): void {
   out.whole(vertex);
 }
 
-const materialOf = ({ colour, mesh }: FilePart): string => (mesh.colours ? WHITE : colour.toLowerCase());
-
-const materialName = (colour: string): string => `colour_${colour.slice(1)}`;
-
 function materials(parts: readonly FilePart[]): Uint8Array<ArrayBuffer> {
   const out = new ByteWriter();
   out.text('# Rotund\n# Kd: display values (sRGB), not linear\n');
-  for (const colour of new Set(parts.map(materialOf))) {
-    out.text(`\nnewmtl ${materialName(colour)}\nKd`);
-    for (const value of displayBytes(colour)) out.text(` ${Number((value / 255).toFixed(6))}`);
-    out.text('\nKs 0 0 0\nd 1\nillum 1\n');
-  }
+  for (const material of new Set(materialsOf(parts)))
+    out.text(`\nnewmtl ${material.name}\n${lines(material)}`);
   return out.bytes();
+}
+
+/** Clay has no highlight, and its ambient light is for readers to say. */
+function lines({ colour, finish }: Material): string {
+  const { ambient, diffuse, specular, shininess } = finish;
+  const times = (factor: number) =>
+    displayBytes(colour)
+      .map((value) => Number(Math.min(1, (factor * value) / 255).toFixed(6)))
+      .join(' ');
+  if (isPlainFinish(finish)) return `Kd ${times(1)}\nKs 0 0 0\nd 1\nillum 1\n`;
+  const highlight = `Ks ${specular} ${specular} ${specular}\nNs ${shininess}`;
+  return `Ka ${times(ambient)}\nKd ${times(diffuse)}\n${highlight}\nd 1\nillum 2\n`;
 }

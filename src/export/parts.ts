@@ -1,4 +1,5 @@
 /** The parts of a model as files take them: what has no triangles is left out, what is no number is refused. */
+import type { Finish } from '../document/finish.ts';
 import { length3 } from '../math/tuple.ts';
 import type { Mesh } from '../mesh/mesh.ts';
 import { ExportError } from './error.ts';
@@ -10,13 +11,15 @@ export interface FilePart {
   readonly name: string;
   /** #rrggbb, display values */
   readonly colour: string;
+  readonly finish: Finish;
   readonly mesh: Mesh;
 }
 
 export function fileParts(model: Model): FilePart[] {
-  const parts = model.solids.map(({ name, colour, mesh }, i) => ({
+  const parts = model.solids.map(({ name, colour, finish, mesh }, i) => ({
     name: plainName(name, i),
     colour,
+    finish,
     mesh,
   }));
   return parts.filter(({ mesh }) => mesh.indices.length > 0).map(sound);

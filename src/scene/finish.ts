@@ -1,10 +1,13 @@
 /**
  * A part's finish as the styles read it: two vectors of the object that is drawn, or of the image's table. What is worked out once a part
- * is worked out here. The default finish gives the styles' own numbers exactly.
+ * is worked out here, without three.js, so that the palette of finishes uses the same numbers. The default finish gives the styles' own
+ * exactly.
  */
-import { userData } from 'three/tsl';
-import type { Node } from 'three/webgpu';
 import { DEFAULT_FINISH, type Finish } from '../document/finish.ts';
+
+/** Shade turns cool, not black: blue keeps more ambient and gains less. */
+export const AMBIENT_LIGHT = [0.43, 0.43, 0.5] as const;
+export const LAMP_LIGHT = [0.83, 0.82, 0.74] as const;
 
 /** how far toon's highlight goes from the lit colour to white: a tint, not a hole in the picture */
 const HIGHLIGHT_WHITE = 0.75;
@@ -31,30 +34,3 @@ export function finishVectors({ ambient, diffuse, specular, shininess }: Finish)
     peak: [shininess, HIGHLIGHT_THRESHOLD ** (1 / shininess), more, 0],
   };
 }
-
-/** The same in a shader. */
-export interface FinishNodes {
-  readonly ambient: Node<'float'>;
-  readonly diffuse: Node<'float'>;
-  readonly white: Node<'float'>;
-  readonly gleam: Node<'float'>;
-  readonly exponent: Node<'float'>;
-  readonly cut: Node<'float'>;
-  readonly chalk: Node<'float'>;
-}
-
-export const finishNodes = (light: Node<'vec4'>, peak: Node<'vec4'>): FinishNodes => ({
-  ambient: light.x,
-  diffuse: light.y,
-  white: light.z,
-  gleam: light.w,
-  exponent: peak.x,
-  cut: peak.y,
-  chalk: peak.z,
-});
-
-/** The part's own, set on the object that is drawn. */
-export const partFinish = finishNodes(
-  userData('light', 'vec4') as unknown as Node<'vec4'>,
-  userData('peak', 'vec4') as unknown as Node<'vec4'>,
-);

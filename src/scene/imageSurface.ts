@@ -16,9 +16,8 @@ import {
   vec4,
 } from 'three/tsl';
 import { type Node, NodeMaterial, WebGLCoordinateSystem, type WebGPURenderer } from 'three/webgpu';
-import { finishNodes } from './finish.ts';
 import { FACTS, FLAGS, type ImageInputs, MOST_ITEMS } from './imageInputs.ts';
-import { displayed, eyeFrom, RIM } from './light.ts';
+import { displayed, eyeFrom, finishNodes, RIM } from './light.ts';
 import type { Surface } from './surface.ts';
 
 /** Which items of the image are drawn. */

@@ -20,6 +20,7 @@ import {
   vec4,
 } from 'three/tsl';
 import { InterpolationSamplingMode, InterpolationSamplingType, type Node } from 'three/webgpu';
+import { AMBIENT_LIGHT, LAMP_LIGHT } from './finish.ts';
 
 const DIAGONAL = 1 / Math.sqrt(3);
 /** towards the light, view space */
@@ -32,11 +33,37 @@ export const HALFWAY = vec3(
   (DIAGONAL + 1) / HALFWAY_LENGTH,
 );
 
-/** Shade turns cool, not black: blue keeps more ambient and gains less. */
-export const AMBIENT = vec3(0.43, 0.43, 0.5);
-export const GAIN = vec3(0.83, 0.82, 0.74);
+export const AMBIENT = vec3(...AMBIENT_LIGHT);
+export const GAIN = vec3(...LAMP_LIGHT);
 /** The part's own colour, display values 0–1, set on the object that is drawn. */
 export const partColour = userData('colour', 'vec3') as unknown as Node<'vec3'>;
+
+/** A finish in a shader (finish.ts). */
+export interface FinishNodes {
+  readonly ambient: Node<'float'>;
+  readonly diffuse: Node<'float'>;
+  readonly white: Node<'float'>;
+  readonly gleam: Node<'float'>;
+  readonly exponent: Node<'float'>;
+  readonly cut: Node<'float'>;
+  readonly chalk: Node<'float'>;
+}
+
+export const finishNodes = (light: Node<'vec4'>, peak: Node<'vec4'>): FinishNodes => ({
+  ambient: light.x,
+  diffuse: light.y,
+  white: light.z,
+  gleam: light.w,
+  exponent: peak.x,
+  cut: peak.y,
+  chalk: peak.z,
+});
+
+/** The part's own, set on the object that is drawn. */
+export const partFinish = finishNodes(
+  userData('light', 'vec4') as unknown as Node<'vec4'>,
+  userData('peak', 'vec4') as unknown as Node<'vec4'>,
+);
 
 /** Linear light, 0–1 → display values (sRGB's own curve). */
 export function displayed(linear: Node<'vec3'>): Node<'vec3'> {

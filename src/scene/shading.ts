@@ -5,14 +5,15 @@
  */
 import { frontFacing, vec3, vec4 } from 'three/tsl';
 import { DoubleSide, type Node, NodeMaterial } from 'three/webgpu';
-import { type FinishNodes, partFinish } from './finish.ts';
 import {
   AMBIENT,
+  type FinishNodes,
   GAIN,
   HALFWAY,
   interpolated,
   LIGHT,
   partColour,
+  partFinish,
   vertexColour,
   vertexNormal,
 } from './light.ts';

@@ -4,8 +4,7 @@
  */
 import { dFdx, dFdy, positionGeometry, positionView, vec2 } from 'three/tsl';
 import { DoubleSide, type Node, NodeMaterial } from 'three/webgpu';
-import { type FinishNodes, partFinish } from './finish.ts';
-import { facingNormal, paintedColour, partColour } from './light.ts';
+import { type FinishNodes, facingNormal, paintedColour, partColour, partFinish } from './light.ts';
 
 export interface Surface {
   readonly name: string;

@@ -29,9 +29,9 @@ const N = RULE.nodes.length;
 /** cells of the whole to start with, halved at least once */
 const CELLS = 12;
 /** … and this often at most */
-const DEEPEST = 7;
-/** part of the whole by which halves may differ */
-const TOLERANCE = 1e-11;
+const DEEPEST = 4;
+/** part of the whole by which halves may differ: what is kept of them is ten (at kinks) to 2¹⁹ times nearer */
+const TOLERANCE = 1e-9;
 
 /** `breaks` ascending: f is smooth between them and never asked for at them. */
 export function arcTable(f: (u: number) => number, breaks: readonly number[]): ArcTable {

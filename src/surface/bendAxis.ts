@@ -21,6 +21,8 @@ export interface Axis {
   readonly length: number;
   /** where the way is at 0 and at `length`, mm in the side view */
   readonly ends: readonly [Vec2, Vec2];
+  /** T_l is the same everywhere */
+  readonly straight: boolean;
   /** the way closes on itself */
   readonly closed: boolean;
   /** ascending u between which all is smooth */
@@ -175,6 +177,7 @@ function lineAxis(spine: Spine, view: Side2, along: Vec2, probes: readonly Probe
   return {
     length,
     ends: [on(from), on(from + length)],
+    straight: true,
     closed: false,
     breaks: spine.stops,
     at: (u, side) => {
@@ -184,8 +187,8 @@ function lineAxis(spine: Spine, view: Side2, along: Vec2, probes: readonly Probe
       return {
         walked: () => place() - from,
         speed,
-        point: () => on(place()),
-        rate: () => scale2(along, speed()),
+        point: once(() => on(place())),
+        rate: once(() => scale2(along, speed())),
         direction: () => along,
       };
     },
@@ -221,6 +224,7 @@ function pathAxis(spine: Spine, view: Side2, probes: readonly Probe[], closed: b
   return {
     length: table.most - table.least,
     ends: [probes[0]!.l, probes[probes.length - 1]!.l],
+    straight: false,
     closed,
     breaks,
     at: (u, side) => {
@@ -228,8 +232,8 @@ function pathAxis(spine: Spine, view: Side2, probes: readonly Probe[], closed: b
       const rate = once(() => view.flat(station.rate));
       return {
         walked: () => table.upTo(u) - table.least,
-        speed: () => speed(u, side, rate()),
-        point: () => view.point(station.centre),
+        speed: once(() => speed(u, side, rate())),
+        point: once(() => view.point(station.centre)),
         rate,
         direction: once(() => direction(u, side, rate())),
       };

@@ -63,35 +63,43 @@ export interface Bending {
 export function moveAt({ axis, path, breaks, slide }: Bending, u: number, side: -1 | 1): Move {
   const here = axis.at(u, side);
   const l = once((): Frame => frame(here.direction()));
-  const d = once((): Frame => frame(onPath(path, here, side).tangent));
+  const place = once(() => onPath(path, here, side));
+  const d = once((): Frame => frame(place().tangent()));
   const angle = (x: number, way: -1 | 1): number => {
     const there = axis.at(x, way);
-    return between(there.direction(), onPath(path, there, way).tangent);
+    return between(there.direction(), onPath(path, there, way).tangent());
   };
   const straying = (x: number, way: -1 | 1): number => between(l()[0], axis.at(x, way).direction());
   return {
     turn: once(() => product(d(), [add2(l()[0], scale2(l()[1], slide(u, side)[0])), l()[1]])),
     dTurn: once(() => {
       const [k, dk] = slide(u, side);
-      const turning = slope(angle, u, side, breaks, TAU);
-      const swing = k === 0 ? 0 : slope(straying, u, side, breaks, TAU);
+      // the difference in one go, so that d = l turns nothing to the last bit
+      const turning = axis.straight ? turningAt(path, here, side) : slope(angle, u, side, breaks, TAU);
+      const swing = k === 0 || axis.straight ? 0 : slope(straying, u, side, breaks, TAU);
       return product(d(), [
         add2(scale2(l()[1], dk - turning), scale2(l()[0], -k * swing)),
         add2(scale2(l()[0], turning), scale2(l()[1], (turning + swing) * k)),
       ]);
     }),
     from: here.point,
-    to: () => onPath(path, here, side).point,
+    to: once(() => place().point()),
     dFrom: here.rate,
-    dTo: () => scale2(d()[0], path.stretch * here.speed()),
+    dTo: once(() => scale2(d()[0], path.stretch * here.speed())),
   };
 }
 
 /** The place on d; `side` is along u, and the way may lead back there. */
 function onPath(path: BendPath, there: AxisPoint, side: -1 | 1): PathPoint {
-  if (path.corners.length === 0) return path.at(there.walked(), 1);
-  const forth = there.speed() < 0 ? -1 : 1;
-  return path.at(there.walked(), side === forth ? 1 : -1);
+  return path.at(there.walked(), path.corners.length === 0 ? 1 : onward(there, side));
+}
+
+function turningAt(path: BendPath, there: AxisPoint, side: -1 | 1): number {
+  return path.turning(there.walked(), onward(there, side)) * there.speed();
+}
+
+function onward(there: AxisPoint, side: -1 | 1): -1 | 1 {
+  return there.speed() < 0 === (side === 1) ? -1 : 1;
 }
 
 type Frame = readonly [Vec2, Vec2];

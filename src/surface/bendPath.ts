@@ -6,17 +6,20 @@
  * on l and runs on straight where d is too short; else d is stretched over the whole axis. A stroke drawn from the other
  * end is turned round; a closed one on a closed axis starts where it is nearest and turns the same way.
  */
+import { once } from '../math/once.ts';
+import { atan2, TAU } from '../math/trig.ts';
 import { add2, cross2, distance2, scale2 } from '../math/tuple.ts';
 import type { Vec2 } from '../math/vec.ts';
 import type { Curve } from '../stroke/curve.ts';
 import { nearestParameter } from '../stroke/nearestPoint.ts';
 import type { Axis } from './bendAxis.ts';
 import { ON_CORNER } from './side.ts';
+import { slope } from './slope.ts';
 
 export interface PathPoint {
-  readonly point: Vec2;
+  point(): Vec2;
   /** unit, the way the axis runs */
-  readonly tangent: Vec2;
+  tangent(): Vec2;
 }
 
 export interface BendPath {
@@ -26,6 +29,8 @@ export interface BendPath {
   readonly corners: readonly number[];
   /** `side`: at a corner, the tangent before (−1) or after (1) it */
   at(walked: number, side: -1 | 1): PathPoint;
+  /** radians to the left for each mm walked on the axis */
+  turning(walked: number, side: -1 | 1): number;
 }
 
 /** The way along `curve` for an axis; null for a curve without length. */
@@ -36,18 +41,32 @@ export function bendPath(axis: Axis, curve: Curve, keepsLength: boolean): BendPa
   const start = round ? nearestStart(axis, curve) : sense === 1 ? 0 : 1;
   const part = keepsLength && !round ? 1 / curve.length : 1 / axis.length;
   const on = (walked: number): number => snapped(start + sense * part * walked, curve, round);
+  const at: BendPath['at'] = (walked, side) => {
+    const t = on(walked);
+    const inside = round ? t : Math.min(Math.max(t, 0), 1);
+    const along = once(() => curve.tangent(inside, sense === 1 ? side : side === 1 ? -1 : 1));
+    const beyond = (t - inside) * curve.length;
+    return {
+      point: () => {
+        const point = curve.point(inside);
+        return beyond === 0 ? point : add2(point, scale2(along(), beyond));
+      },
+      tangent: () => scale2(along(), sense),
+    };
+  };
+  const corners = cornersOf(curve, start, sense, round)
+    .map((share) => share / part)
+    .filter((walked) => round || isInside(walked / axis.length));
+  const angle = (share: number, side: -1 | 1): number => {
+    const [x, y] = at(share * axis.length, side).tangent();
+    return atan2(y, x);
+  };
+  const breaks = [0, ...corners.map((walked) => walked / axis.length), 1];
   return {
     stretch: part * curve.length,
-    corners: cornersOf(curve, start, sense, round)
-      .map((share) => share / part)
-      .filter((walked) => round || isInside(walked / axis.length)),
-    at: (walked, side) => {
-      const t = on(walked);
-      const inside = round ? t : Math.min(Math.max(t, 0), 1);
-      const tangent = curve.tangent(inside, sense === 1 ? side : side === 1 ? -1 : 1);
-      const point = add2(curve.point(inside), scale2(tangent, (t - inside) * curve.length));
-      return { point, tangent: scale2(tangent, sense) };
-    },
+    corners,
+    at,
+    turning: (walked, side) => slope(angle, walked / axis.length, side, breaks, TAU) / axis.length,
   };
 }
 

@@ -57,7 +57,8 @@ function bentRow(row: SheetRow, spine: Spine, bending: Bending): SheetRow {
   for (let k = 0; k < points.length; k += 3) {
     const p: Vec3 = [row.points[k]!, row.points[k + 1]!, row.points[k + 2]!];
     const n: Vec3 = [row.normals[k]!, row.normals[k + 1]!, row.normals[k + 2]!];
-    points.set(movePoint(move, bending.view, p), k);
+    // a pole stays one point to the last bit
+    points.set(row.pole && k > 0 ? points.subarray(0, 3) : movePoint(move, bending.view, p), k);
     normals.set(moveNormal(move, bending.view, station, p, n), k);
   }
   return { ...row, points, normals };

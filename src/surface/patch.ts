@@ -27,8 +27,8 @@ import { isTip, type PieceRows, pieceRows } from './patchRows.ts';
 import { quadCount } from './rows.ts';
 import type { Sheet, SheetRow } from './sheet.ts';
 import { type Source, sourceOf } from './source.ts';
-import { normalAt, place } from './stand.ts';
-import { type PlacedOutline, weaveOf } from './weave.ts';
+import { normalsAt, placed } from './stand.ts';
+import { type PlacedOutline, type Weave, weaveOf } from './weave.ts';
 import { splined, type Times, unsplined } from './woven.ts';
 
 export interface PatchOptions {
@@ -53,8 +53,8 @@ export function patchSheet(
   sections: readonly PlacedOutline[],
   options: PatchOptions,
 ): Sheet | null {
-  const source = sourceOf(input);
-  const weave = weaveOf(source, substantial(sections), options.between, checked(options));
+  const weave = patchWeave(input, sections, options);
+  const { source } = weave;
   const { closed } = weave.alike;
   const around = options.columns << options.subdivisions.v;
   // a dot is a ball, if anything
@@ -72,6 +72,19 @@ export function patchSheet(
   return { rows: source.closed ? closedUp(rows) : rows, columns: columnsOf(entries), spine: source.spine };
 }
 
+/** What the patch is cut from. Throws as patchSheet does. */
+export function patchWeave(
+  input: SectionSource,
+  sections: readonly PlacedOutline[],
+  { between, rows, columns }: PatchOptions,
+): Weave {
+  const spans = {
+    rows: rows === null ? null : quadCount('rows', rows, 1),
+    columns: quadCount('columns', columns, 1),
+  };
+  return weaveOf(sourceOf(input), substantial(sections), between, spans);
+}
+
 /** Backs that lie on their fronts, on all sections, leave the fronts alone. */
 function substantial(sections: readonly PlacedOutline[]): readonly PlacedOutline[] {
   const isEmpty = sections.every(({ outline }) => {
@@ -79,13 +92,6 @@ function substantial(sections: readonly PlacedOutline[]): readonly PlacedOutline
     return outline.closed && Math.abs(turns(points)) < NO_AREA;
   });
   return isEmpty ? sections.map(({ u, outline }) => ({ u, outline: restricted(outline, 0, 0.5) })) : sections;
-}
-
-function checked({ rows, columns }: PatchOptions): { rows: number | null; columns: number } {
-  return {
-    rows: rows === null ? null : quadCount('rows', rows, 1),
-    columns: quadCount('columns', columns, 1),
-  };
 }
 
 /** Rows from tip to tip. */
@@ -125,8 +131,8 @@ function jointRows(source: Source, u: number, around: number, form: () => Outlin
   if (joint.length === 0) return [];
   const { points, rates } = form();
   return joint.map(({ stand, at, joined }) => ({
-    points: Float64Array.from(points.flatMap((p) => place(stand, p))),
-    normals: Float64Array.from(points.flatMap((p, j) => normalAt(stand, p, rates[j]!))),
+    points: placed(stand, points),
+    normals: normalsAt(stand, points, rates),
     joined,
     at,
   }));

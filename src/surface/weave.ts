@@ -41,8 +41,12 @@ export function weaveOf(
   between: Between,
   { rows, columns }: WeaveSpans,
 ): Weave {
-  const kept = sections
-    .filter(({ u }, i) => !sections.some((other, j) => j > i && other.u === u))
+  // of a ring the end is the beginning
+  const placed = sections.map((section) =>
+    source.closed && section.u >= 1 ? { ...section, u: 0 } : section,
+  );
+  const kept = placed
+    .filter(({ u }, i) => !placed.some((other, j) => j > i && other.u === u))
     .sort((a, b) => a.u - b.u);
   const us = kept.map(({ u }) => u);
   const made = alike(kept.map(({ outline }) => outline));

@@ -118,7 +118,11 @@ const SOLIDS: readonly Command[] = [
   { type: 'scaleParts', ids: ['group-13', 'part-18'], factor: 1.1, about: [1, 2, 3] },
   { type: 'mirrorParts', ids: ['part-8', 'group-16', 'part-1'], about: [5, 0, 0], normal: [0.6, 0.8, 0] },
   { type: 'paste', parts: [PASTED], offset: [0, 0, 30] },
-  { type: 'setPartBrush', ids: ['group-10'], change: { colour: '#3f9690', radius: 4 } },
+  {
+    type: 'setPartBrush',
+    ids: ['group-10'],
+    change: { colour: '#3f9690', radius: 4, finish: { specular: 0.9 } },
+  },
   { type: 'showParts', ids: ['component-9'], visible: true },
   { type: 'moveParts', ids: ['group-13'], by: { rotation: [0, 0.6, 0, 0.8], translation: [0.1, -2, 7] } },
   { type: 'renamePart', id: 'group-13', name: 'Groove' },

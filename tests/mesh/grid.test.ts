@@ -1,7 +1,7 @@
 import { describe, expect, test } from 'vitest';
 import type { Plane } from '../../src/math/plane.ts';
 import { topology } from '../../src/mesh/check.ts';
-import { evenColumns, gridMesh as gridOf, type Row } from '../../src/mesh/grid.ts';
+import { type Columns, evenColumns, gridMesh as gridOf, type Row } from '../../src/mesh/grid.ts';
 import { volume } from '../../src/mesh/measure.ts';
 
 const PLANE = { origin: [0, 0, 0], x: [1, 0, 0], y: [0, 1, 0] } as const;
@@ -91,5 +91,55 @@ describe('grid meshes', () => {
   test('rows in one place make no triangles', () => {
     expect(gridMesh([ring(1, 0), ring(1, 0)], COLUMNS, PLANE).indices).toHaveLength(0);
     expect(gridMesh([], COLUMNS, PLANE).indices).toHaveLength(0);
+  });
+
+  test('flipped rows face the other way, poles too', () => {
+    const flipped = gridMesh(
+      bicone.map((row) => ({ ...row, flipped: true })),
+      COLUMNS,
+      PLANE,
+    );
+    const mesh = gridMesh(bicone, COLUMNS, PLANE);
+    expect(topology(flipped)).toMatchObject({ watertight: true, genus: 0, components: 1, degenerate: 0 });
+    expect(volume(flipped)).toBe(-volume(mesh));
+    // the vertex of a pole is still the one between the columns of its triangle
+    const tips = (indices: Uint32Array) => [...indices].filter((i) => i < COLUMNS).sort((a, b) => a - b);
+    expect(tips(flipped.indices)).toEqual(tips(mesh.indices));
+  });
+});
+
+describe('columns', () => {
+  /** a gable over the edges of a strip: its ridge is a crease along the rows */
+  const columns: Columns = { vs: [0, 0.5, 0.5, 1], joined: [false, true, false, true] };
+  const gable = (y: number, joined = true): Row => ({
+    points: Float64Array.from([-1, y, 0, 0, y, 1, 0, y, 1, 1, y, 0]),
+    normals: Float64Array.from([-0.6, 0, 0.8, -0.6, 0, 0.8, 0.6, 0, 0.8, 0.6, 0, 0.8]),
+    joined,
+  });
+
+  test('an open sheet is open, its crease closed, with a normal for either side', () => {
+    const mesh = gridOf([gable(2), gable(0)], columns, PLANE);
+    expect(mesh.indices).toHaveLength(4 * 3);
+    expect(topology(mesh)).toMatchObject({ badEdges: 6, components: 1, degenerate: 0 });
+    expect([...mesh.positions.subarray(3, 6)]).toEqual([...mesh.positions.subarray(6, 9)]);
+    expect([mesh.normals[3], mesh.normals[6]]).toEqual([-0.6, 0.6].map(Math.fround));
+    expect([...mesh.uvs].filter((_, i) => i % 2 === 1)).toEqual([0, 0.5, 0.5, 1, 0, 0.5, 0.5, 1]);
+  });
+
+  test('a tip of an open sheet does not mix normals across its crease', () => {
+    const tip: Row = { ...gable(0), points: new Float64Array(12), pole: true };
+    const { normals, uvs, indices } = gridOf([gable(2), tip], columns, PLANE);
+    expect(indices).toHaveLength(2 * 3);
+    expect([normals[12], normals[18]]).toEqual([-0.6, 0.6].map(Math.fround));
+    expect([uvs[9], uvs[13]]).toEqual([0.25, 0.75]);
+  });
+
+  test('the texture runs along by the middles of quads: a crease counts once', () => {
+    const far: Row = { ...gable(0), points: gable(0).points.map((x, i) => (i % 3 === 1 ? -i : x)) };
+    const rows = [gable(1), gable(0), far];
+    const us = [0, 1, 2].map((i) => gridOf(rows, columns, PLANE).uvs[8 * i]!);
+    // ways of the entries 1, 4, 7, 10: quads go (1 + 4)/2 and (7 + 10)/2
+    expect(us[1]).toBeCloseTo(1 / (1 + (2.5 + 8.5) / 2), 6);
+    expect(us[2]).toBe(1);
   });
 });
