@@ -73,7 +73,7 @@ export function filterStroke(samples: readonly Sample[], options: FilterOptions)
   // One budget of fine points for the whole stroke, however long it is and into however many pieces it falls.
   const length = pathOf(cleaned.samples, false).length;
   const { x, y } = cleaned.samples[0]!;
-  if (!(length > ROUNDING * (Math.abs(x) + Math.abs(y)))) return null;
+  if (!(length > ROUNDING * (Math.abs(x) + Math.abs(y) + (options.grain ?? 1)))) return null;
   const longest = length * STEPS_PER_GRAIN;
   const grain = Math.max(options.grain ?? 1, longest / MOST_FINE_POINTS);
   const drawn = pathOf(removeHooks(cleaned.samples, grain), false);
@@ -91,7 +91,7 @@ export function filterStroke(samples: readonly Sample[], options: FilterOptions)
   };
 }
 
-/** parts of its distance from the origin that a stroke must be longer than: what is shorter is rounding */
+/** parts of its distance from the origin, and of the grain, that a stroke must be longer than: what is shorter is rounding */
 const ROUNDING = 1e-12;
 
 const degreeOf = ({ filter }: FilterOptions): Degree => (filter === 'chaikin' ? 2 : 3);
