@@ -157,7 +157,7 @@ export function sectionSeenAt(
   const u = nearestU(found.sheet, (k, points) => {
     const world = place3(seen.placement, outOf(drawing, [points[k]!, points[k + 1]!, points[k + 2]!]));
     const at = shown(world);
-    if (at) least = Math.min(least, Math.hypot(at[0], at[1]));
+    if (at) least = Math.min(least, Math.sqrt(at[0] * at[0] + at[1] * at[1]));
     return at ? [at[0], at[1], 0] : null;
   });
   return u === null ? null : { u, distance: least };
