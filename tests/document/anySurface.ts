@@ -164,3 +164,16 @@ export const anySurface: fc.Arbitrary<SurfacePart> = fc.oneof(
   { weight: 4, arbitrary: fc.noBias(surface) },
   { weight: 1, arbitrary: surface },
 );
+
+/** The strokes that these are made of. */
+export const anyStrokes = {
+  line: fc
+    .oneof(
+      { weight: 6, arbitrary: way(near(-15, -50, 30), near(15, 50, 30)) },
+      { weight: 1, arbitrary: zigzag },
+    )
+    .map((points) => strokeOf(points, PLANE, false)),
+  across: drawnAcross,
+  onSection,
+  bend,
+};
