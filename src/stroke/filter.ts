@@ -133,7 +133,8 @@ function fitPiece(
 
 /** Resampled once to steps alike, because tremble lengthens a path and unevenly so: by a tenth where the pen is slow. */
 function evenPath(path: Path, step: number): Path {
-  const count = Math.ceil(Math.min(path.length / step, MOST_FINE_POINTS)) + 1;
+  // of a piece between two corners in one place there is no step
+  const count = Math.ceil(Math.min(path.length / step || 1, MOST_FINE_POINTS)) + 1;
   return pathOf(resample(path, count), path.closed);
 }
 
