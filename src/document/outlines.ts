@@ -35,18 +35,23 @@ export function outlinesOf(
   if (sections.length === 0) return [];
   const source = lazily(() => sourceOf({ ...brush, curves }));
   const place = (section: Section): PlacedOutline => ({
-    u: section.u,
+    u: placeOf(section),
     outline: outlineIn(section, form.back, brush, source),
   });
   const own = sections.filter(({ follows }) => !follows).map(place);
   const isRound = curves.every(({ closed }) => closed);
   return sections.map((section) => {
-    if (!section.follows) return own.find(({ u }) => u === section.u)!;
-    const { u } = section;
+    if (!section.follows) return own.find(({ u }) => u === placeOf(section))!;
+    const u = placeOf(section);
     const base = own.length > 0 ? mixedOutline(own, u, form.between, isRound) : circle(form.back);
     return { u, outline: drawnOver(base, section, brush) };
   });
 }
+
+/** u nearer to an end than this is that end: nothing lies between */
+const END = 1e-6;
+
+const placeOf = ({ u }: Section): number => (u < END ? 0 : u > 1 - END ? 1 : u);
 
 /** Without any stroke. */
 const circle = (back: Back): Outline => (back === 'none' ? roundHalf : round);

@@ -2,11 +2,11 @@ import { describe, expect, it } from 'vitest';
 import type { Vec2 } from '../../src/math/vec.ts';
 import { runsLeft } from '../../src/surface/chordWay.ts';
 import { pairCurves } from '../../src/surface/pair.ts';
-import { lineCurve } from './curves.ts';
+import { line } from './curves.ts';
 
 /** The half that is full, as a direction on the plane: right of q_l → q_r, or left of it where chords run to the left. */
 function fullSide(first: readonly Vec2[], second: readonly Vec2[]): Vec2 {
-  const pair = pairCurves(lineCurve(first[0]!, first[1]!), lineCurve(second[0]!, second[1]!));
+  const pair = pairCurves(line(...first), line(...second));
   const { left, right } = pair.at(0.5, 1);
   const sense = runsLeft((u) => pair.at(u, 1)) ? -1 : 1;
   return [sense * (right[1] - left[1]), -sense * (right[0] - left[0])];
@@ -26,14 +26,22 @@ describe('the full side', () => {
   it('is below, whichever way and in whichever order sides were drawn', () => {
     for (const a of [WEST, back(WEST)])
       for (const b of [EAST, back(EAST)])
-        for (const [first, second] of [[a, b], [b, a]] as const)
+        for (const [first, second] of [
+          [a, b],
+          [b, a],
+        ] as const)
           expect(fullSide(first, second)[1]).toBeLessThan(-1);
   });
 
   it('is mirrored with the form, lying forms too', () => {
-    const turned = (line: readonly Vec2[]) => line.map(([x, y]): Vec2 => [y, x]);
-    const mirrored = (line: readonly Vec2[]) => line.map(([x, y]): Vec2 => [-x, y]);
-    for (const [a, b] of [[WEST, EAST], [back(WEST), EAST], [turned(WEST), turned(EAST)], [turned(back(WEST)), turned(EAST)]] as const) {
+    const turned = (side: readonly Vec2[]) => side.map(([x, y]): Vec2 => [y, x]);
+    const mirrored = (side: readonly Vec2[]) => side.map(([x, y]): Vec2 => [-x, y]);
+    for (const [a, b] of [
+      [WEST, EAST],
+      [back(WEST), EAST],
+      [turned(WEST), turned(EAST)],
+      [turned(back(WEST)), turned(EAST)],
+    ] as const) {
       const [x, y] = fullSide(a, b);
       const [mx, my] = fullSide(mirrored(a), mirrored(b));
       expect(mx).toBeCloseTo(-x, 9);
