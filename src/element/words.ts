@@ -218,6 +218,8 @@ export const PART_WORDS = {
     z: 'Move along Z',
     surface: 'Slide over the surface',
     turn: 'Turn about the line of sight',
+    turnX: 'Tip forward and back',
+    turnY: 'Turn to the left and right',
     scale: 'Make it larger or smaller',
   },
   action: {
@@ -227,6 +229,50 @@ export const PART_WORDS = {
     duplicate: 'Duplicate',
     remove: 'Delete',
   },
+} as const;
+
+/** Words of surfaces in their card. */
+export const SURFACE_WORDS = {
+  sections: 'Sections',
+  sectionsOf: (name: string) => `Sections of ${name}`,
+  at: (percent: number) => `at ${percent} %`,
+  light: (at: string) => `Section ${at}: show it on the form`,
+  remove: (what: string) => `Remove ${what.startsWith('at') ? `the section ${what}` : what}`,
+  draw: 'Draw one',
+  between: 'Between sections',
+  betweens: {
+    cubic: { name: 'Smooth', hint: 'Sections flow over into each other' },
+    linear: { name: 'Straight', hint: 'Sections go over into each other in a straight line' },
+    plain: { name: 'Plain', hint: 'Points joined as they are, without a spline' },
+  },
+  bends: 'Bends',
+  bend: (number: number) => `Bend ${number}`,
+  bendOn: (bend: string) => `Put ${bend} in force`,
+  bendOff: (bend: string) => `Leave out ${bend}`,
+  redrawBend: (bend: string) => `Draw ${bend} anew`,
+  length: { kept: 'Length kept', stretched: 'Stretched' },
+  lengthHint: 'Whether the part keeps its length, or reaches as far as what was drawn',
+  detail: 'Detail',
+  coarser: 'Coarser',
+  finer: 'Finer',
+  editDetail: 'Edit detail',
+  autoRows: 'As many rows as it needs',
+  autoRowsHint: 'Rows of the control mesh follow the outline; refining never moves the strokes',
+  parts: {
+    rows: { name: 'Rows', hint: 'Spans of the control mesh along the form' },
+    columns: { name: 'Columns', hint: 'Spans of the control mesh across' },
+    u: { name: 'Subdivisions along', hint: 'How often each span along the form is halved' },
+    v: { name: 'Subdivisions across', hint: 'How often each span across is halved' },
+  },
+  mesh: 'Show control mesh',
+  meshHint: 'The control mesh of patches, and strokes with their control points',
+} as const;
+
+/** Words of radii that are drawn. */
+export const SIZE_WORDS = {
+  draw: 'Draw it',
+  hint: 'Draw a line of that length, or a circle of that radius',
+  brush: (mm: number) => `${mm} mm: draw the radius`,
 } as const;
 
 /** Words of what surfaces do with light. */
@@ -280,6 +326,14 @@ export const METER_WORDS = {
   },
 } as const;
 
+/** A part whose strokes are in hand again. */
+export const RECREATE_WORDS = {
+  inHand: 'its strokes in hand',
+  said: (name: string) => `${name}, its strokes in hand`,
+  kept: (name: string) => `${name}, as it is drawn now`,
+  dropped: (name: string) => `${name} is as it was`,
+} as const;
+
 /** Sections across a form. */
 export const SECTION_WORDS = {
   tool: 'Section',
@@ -326,14 +380,30 @@ export const EDIT_WORDS = {
   bent: (name: string) => `${name} bent`,
   which: 'Tap the part to bend',
   bendFact: (index: number) => `bend ${index + 1}`,
+  recreate: 'Recreate',
+  recreateHint: 'Back to its strokes: draw on, redraw, remove',
+  strokes: 'Strokes',
+  stroke: (n: number) => `Stroke ${n}`,
+  removeStroke: (n: number) => `Remove stroke ${n}`,
+  redraw: 'Redraw',
+  redrawKey: 'O',
+  redrawLit: 'Redraw part of the lit outline',
+  redrawHover: 'Draw over a section or an outline',
+  reach: 'How far it reaches',
+  whole: 'Whole form',
+  wholeHint: 'The surface follows all along',
+  here: 'Only here',
+  hereHint: 'It fades to what was there',
   length: 'Length',
-  kept: 'Kept',
+  kept: 'Length kept',
   keptHint: 'It stays as long as it was',
   stretched: 'Stretched',
   stretchedHint: 'It reaches as far as the stroke',
   said: {
     bend: 'Draw the new centre line',
     'bend-what': 'Only surfaces of strokes can be bent',
+    'redraw-what': 'Start on a surface of strokes, or on its outline',
+    'section-edge-on': 'The section is seen from its edge. Turn the view a little',
     'end-on': 'The axis is seen from its end. Turn the view a little',
   },
 } as const;
@@ -343,6 +413,7 @@ export const KEYS: readonly { readonly keys: string; readonly does: string }[] =
   { keys: 'D', does: 'Draw' },
   { keys: 'L', does: 'Section: draw across a form' },
   { keys: 'V', does: 'Select' },
+  { keys: 'O', does: 'Redraw part of a section or an outline' },
   { keys: 'B', does: 'Bend what is selected, or was made last' },
   { keys: 'N or Enter', does: 'Keep the form' },
   { keys: 'Esc', does: 'Cancel the stroke, drop the form, let go' },
@@ -428,6 +499,7 @@ export const SOLID_WORDS = {
   noPaste: 'There is nothing of a drawing to paste',
   handle: { turn: 'Turn', scale: 'Scale' },
   turnHint: 'Drag around, with Shift in steps of 15°; arrow keys 1°, with Shift 10°.',
+  tiltHint: 'Drag up and down, or to the sides, with Shift in steps of 15°; arrow keys 1°, with Shift 10°.',
   scaleHint: 'Drag outward, with Shift in steps of 10 %; arrow keys 1 %, with Shift 10 %.',
 } as const;
 

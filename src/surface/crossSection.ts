@@ -17,7 +17,7 @@ import { type Outline, restricted } from './outline.ts';
 import { quadCount } from './rows.ts';
 import type { Sheet, SheetRow } from './sheet.ts';
 import { type SourceInput, type StandRow, sourceOf, standLobes } from './source.ts';
-import { normalAt, place, type Stand } from './stand.ts';
+import { normalsAt, place, placed, type Stand } from './stand.ts';
 
 export interface SectionSource extends SourceInput {
   /** how open ends of closed outlines are shut; between two strokes 'round' is flat too */
@@ -81,8 +81,8 @@ function placedRows(stands: readonly StandRow[], { points, rates }: OutlineColum
     const before = rows[rows.length - 1];
     rows.push({
       // rows in one place get the same points to the last bit
-      points: before && !joined ? before.points : each(points, (p) => place(stand, p)),
-      normals: each(points, (p, j) => normalAt(stand, p, rates[j]!)),
+      points: before && !joined ? before.points : placed(stand, points),
+      normals: normalsAt(stand, points, rates),
       pole: stand.radius === 0,
       joined,
       at,
@@ -137,8 +137,8 @@ export function domeRows(
       dHalf: [-out * sin(angle) * axis[0], -out * sin(angle) * axis[1]],
     };
     return {
-      points: each(points, (p) => place(shrunk, p)),
-      normals: each(points, (p, j) => (pole ? tip : normalAt(shrunk, p, rates[j]!))),
+      points: placed(shrunk, points),
+      normals: pole ? repeated(tip, points.length) : normalsAt(shrunk, points, rates),
       pole,
       joined: true,
     };
@@ -154,10 +154,6 @@ export function closedUp(rows: readonly SheetRow[]): SheetRow[] {
   return [...rows.slice(0, -1), { ...rows[rows.length - 1]!, points: rows[0]!.points }];
 }
 
-function each(points: readonly Vec2[], vector: (p: Vec2, j: number) => Vec3): Float64Array {
-  const out = new Float64Array(3 * points.length);
-  points.forEach((p, j) => {
-    out.set(vector(p, j), 3 * j);
-  });
-  return out;
+function repeated(vector: Vec3, count: number): Float64Array {
+  return Float64Array.from({ length: 3 * count }, (_, k) => vector[k % 3]!);
 }

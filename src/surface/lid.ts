@@ -16,8 +16,17 @@ export type Lid = { readonly centre: Vec2 } | { readonly rounds: readonly (reado
 /** area of a triangle that is none, as a part of the rim's */
 const SLIVER = 1e-9;
 
+/** both ends of a surface have one rim */
+const known = new WeakMap<readonly Vec2[], Lid>();
+
 /** How a rim is covered: its points as entries of a row, the last of which is the first. */
 export function lidOf(points: readonly Vec2[]): Lid {
+  const lid = known.get(points) ?? newLid(points);
+  known.set(points, lid);
+  return lid;
+}
+
+function newLid(points: readonly Vec2[]): Lid {
   const area = doubleArea(points);
   const centre = centroid(points);
   if (Math.abs(area) > 0 && isSeenFrom(centre, points, area)) return { centre };
@@ -103,18 +112,19 @@ function earsOf(points: readonly Vec2[], ring: readonly number[], sense: 1 | -1,
   const n = ring.length;
   if (n === 3) return [1];
   const corner = (i: number): Vec2 => points[ring[(i + n) % n]!]!;
+  const areas = ring.map(
+    (_, i) => sense * cross2(sub2(corner(i), corner(i - 1)), sub2(corner(i + 1), corner(i))),
+  );
+  // what reaches into an ear does so with a hollow corner
+  const hollow = ring.filter((_, i) => areas[i]! < 0).map((entry) => points[entry]!);
   const found: number[] = [];
-  let widest = 0;
-  let most = -Infinity;
   for (let i = 0; i < n; i++) {
-    const [p, q, r] = [corner(i - 1), corner(i), corner(i + 1)];
-    const area = sense * cross2(sub2(q, p), sub2(r, q));
-    if (area > most) [most, widest] = [area, i];
     const isNext = found.at(-1) === i - 1 || (i === n - 1 && found[0] === 0);
-    if (isNext && found.length > 0) continue;
-    if (area > least && ring.every((k) => !covers(p, q, r, sense, points[k]!))) found.push(i);
+    if ((isNext && found.length > 0) || !(areas[i]! > least)) continue;
+    const [p, q, r] = [corner(i - 1), corner(i), corner(i + 1)];
+    if (hollow.every((at) => !covers(p, q, r, sense, at))) found.push(i);
   }
-  return found.length > 0 ? found : [widest];
+  return found.length > 0 ? found : [areas.indexOf(Math.max(...areas))];
 }
 
 /** Whether a triangle holds a point that is none of its corners; on the edge p r counts. */

@@ -27,7 +27,7 @@ import { isTip, type PieceRows, pieceRows } from './patchRows.ts';
 import { quadCount } from './rows.ts';
 import type { Sheet, SheetRow } from './sheet.ts';
 import { type Source, sourceOf } from './source.ts';
-import { normalAt, place } from './stand.ts';
+import { normalsAt, placed } from './stand.ts';
 import { type PlacedOutline, type Weave, weaveOf } from './weave.ts';
 import { splined, type Times, unsplined } from './woven.ts';
 
@@ -131,8 +131,8 @@ function jointRows(source: Source, u: number, around: number, form: () => Outlin
   if (joint.length === 0) return [];
   const { points, rates } = form();
   return joint.map(({ stand, at, joined }) => ({
-    points: Float64Array.from(points.flatMap((p) => place(stand, p))),
-    normals: Float64Array.from(points.flatMap((p, j) => normalAt(stand, p, rates[j]!))),
+    points: placed(stand, points),
+    normals: normalsAt(stand, points, rates),
     joined,
     at,
   }));

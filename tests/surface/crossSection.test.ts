@@ -6,6 +6,7 @@ import { area, bounds, volume } from '../../src/mesh/measure.ts';
 import type { Mesh } from '../../src/mesh/mesh.ts';
 import type { Curve } from '../../src/stroke/curve.ts';
 import { crossSectionSheet, type SectionOptions } from '../../src/surface/crossSection.ts';
+import { buildSurface } from '../../src/surface/index.ts';
 import { joined, round } from '../../src/surface/joined.ts';
 import { type Outline, outlineOf, roundHalf, straight } from '../../src/surface/outline.ts';
 import { rotational } from '../../src/surface/rotational.ts';
@@ -236,6 +237,24 @@ describe('on one stroke', () => {
     for (const p of sharp.filter(([x, y]) => dot3([x, y, 0], [0.6, 0.8, 0]) % 50 > 0.01))
       expect(Math.abs(p[2])).toBeCloseTo(5, 5);
   });
+});
+
+test('ends that are not seen whole from their middle bend with their form', () => {
+  const curves = [line([-10, 0], [-10, 50]), line([10, 0], [10, 50])];
+  const outline = joined(comb, 'mirror');
+  const bend = {
+    curve: line([0, 0], [0, 25], [20, 45]),
+    plane: { origin: [0, 0, 0], x: [0, 0, -1], y: [0, 1, 0] } as const,
+    keepsLength: true,
+  };
+  const options = { radius: 5, pressure: false, caps: true, u: 12, v: 40 };
+  const [straightened, bent] = [[], [bend]].map((bends) =>
+    buildSurface('crossSection', { curves, sections: [{ u: 0, outline }], bends }, FLAT, options),
+  ) as [Mesh, Mesh];
+  expect(topology(bent)).toMatchObject({ watertight: true, genus: 0, components: 1, finite: true });
+  // sections stay what they are and go the same way
+  expect(volume(bent) / volume(straightened)).toBeCloseTo(1, 2);
+  expect(normalAgreement(bent)).toBeGreaterThan(0.5);
 });
 
 describe('creases', () => {

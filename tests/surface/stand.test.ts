@@ -3,7 +3,7 @@ import { cross3, dot3, length3, scale3, sub3 } from '../../src/math/tuple.ts';
 import type { Vec2, Vec3 } from '../../src/math/vec.ts';
 import { pairCurves } from '../../src/surface/pair.ts';
 import { ringAt } from '../../src/surface/ring.ts';
-import { normalAt, place } from '../../src/surface/stand.ts';
+import { normalAt, place, placed } from '../../src/surface/stand.ts';
 import { halfCircle, line } from './curves.ts';
 
 const pair = pairCurves(halfCircle(60, -1, -5), line([10, 60], [40, -60]));
@@ -17,6 +17,12 @@ describe('an outline at one u', () => {
     expect(place(ring, [-1, 0])).toEqual([...ring.left, 0]);
     expect(place(ring, [1, 0])).toEqual([...ring.right, 0]);
     const top = place(ring, [0, 1]);
+    expect([
+      ...placed(ring, [
+        [-1, 0],
+        [0, 1],
+      ]),
+    ]).toEqual([...ring.left, 0, ...top]);
     expect(top[2]).toBeCloseTo(length3(sub3([...ring.left, 0], [...ring.right, 0])) / 2, 12);
     expect(top[0]).toBeCloseTo(ring.centre[0], 12);
   });
