@@ -39,6 +39,7 @@ test('a sphere sets the finish and keeps the colour; a drag of Shine is one undo
   expect(gloss.colour).toBe(before.colour);
 
   const shine = page.getByRole('slider', { name: /^Shine of/ });
+  await shine.scrollIntoViewIfNeeded();
   const box = (await shine.boundingBox())!;
   await page.mouse.move(box.x + box.width * 0.8, box.y + box.height / 2);
   await page.mouse.down();
