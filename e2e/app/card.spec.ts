@@ -51,7 +51,7 @@ test('a sphere sets the finish and keeps the colour; a drag of Shine is one undo
   const dull = await part(page);
   expect(dull.finish.specular).toBeLessThan(0.4);
   expect(dull.finish.shininess).toBe(gloss.finish.shininess);
-  await page.keyboard.press('u');
+  await page.getByRole('button', { name: 'Undo' }).click();
   expect((await part(page)).finish).toEqual(gloss.finish);
 });
 

@@ -17,6 +17,8 @@ import {
   removeSelection,
 } from './partDeeds.ts';
 import { isHidden } from './partRows.ts';
+import { recreatePart } from './recreating.ts';
+import { startRedraw } from './redraws.ts';
 import type { Session } from './session.ts';
 import { isSkeletonOn, selectedSkeleton, toggleSkeleton } from './skeletonEdit.ts';
 import { EDIT_WORDS, PART_WORDS, SKELETON_WORDS, SOLID_WORDS } from './words.ts';
@@ -48,7 +50,9 @@ export function actionsBar(session: Session, actions: Actions): TemplateResult |
 function bends(session: Session): TemplateResult | typeof nothing {
   const [part, ...others] = partsWith(session.document, session.selection);
   if (!part || others.length > 0 || part.hidden || !isSurface(part)) return nothing;
-  return html`${iconButton('bend', EDIT_WORDS.bend, () => startBend(session), { key: EDIT_WORDS.bendKey })}`;
+  return html`${iconButton('bend', EDIT_WORDS.bend, () => startBend(session), { key: EDIT_WORDS.bendKey })}
+    ${iconButton('redraw', EDIT_WORDS.redraw, () => startRedraw(session), { key: EDIT_WORDS.redrawKey })}
+    ${iconButton('recreate', EDIT_WORDS.recreate, () => recreatePart(session, part.id), { hint: EDIT_WORDS.recreateHint })}`;
 }
 
 /** Where the mirror stands is told by their tooltips. */

@@ -3,7 +3,7 @@ import { html, nothing, type TemplateResult } from 'lit';
 import { nameOf } from '../document/command/changeParts.ts';
 import { madeBend } from '../tool/bend.ts';
 import { dropBend, keepBend, setBendLength } from './bending.ts';
-import { roving } from './controls.ts';
+import { segment } from './editSegment.ts';
 import { icon } from './icons.ts';
 import type { Session } from './session.ts';
 import { EDIT_WORDS } from './words.ts';
@@ -25,19 +25,13 @@ export function bendCard(session: Session): TemplateResult | typeof nothing {
   </div>`;
 }
 
-function lengths(session: Session, keepsLength: boolean): TemplateResult {
-  const choices = [
-    { name: kept, hint: EDIT_WORDS.keptHint, keeps: true },
-    { name: stretched, hint: EDIT_WORDS.stretchedHint, keeps: false },
-  ];
-  return html`<div class="segment" role="radiogroup" aria-label=${EDIT_WORDS.length} @keydown=${roving}>
-    ${choices.map(
-      ({
-        name,
-        hint,
-        keeps,
-      }) => html`<button role="radio" aria-checked=${keeps === keepsLength} tabindex=${keeps === keepsLength ? 0 : -1}
-        title="${EDIT_WORDS.length}: ${hint}" @click=${() => keeps !== keepsLength && setBendLength(session, keeps)}>${name}</button>`,
-    )}
-  </div>`;
-}
+const lengths = (session: Session, keepsLength: boolean): TemplateResult =>
+  segment(EDIT_WORDS.length, [
+    { name: kept, hint: EDIT_WORDS.keptHint, on: keepsLength, run: () => setBendLength(session, true) },
+    {
+      name: stretched,
+      hint: EDIT_WORDS.stretchedHint,
+      on: !keepsLength,
+      run: () => setBendLength(session, false),
+    },
+  ]);

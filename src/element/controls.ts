@@ -8,6 +8,7 @@ import type { Files } from './files.ts';
 import { ball, type IconName, icon, wordmark } from './icons.ts';
 import type { Place } from './place.ts';
 import { drawRadius } from './radiusDrawing.ts';
+import { startRedraw } from './redraws.ts';
 import type { Session } from './session.ts';
 import {
   EDIT_WORDS,
@@ -160,6 +161,7 @@ export function rail(session: Session, actions: Actions): TemplateResult {
   return html`<div class="rail card chrome ${named ? 'named' : ''} ${drawing ? '' : 'selecting'}" part="tools" role="toolbar" aria-label="Tools" aria-orientation="vertical">
     ${iconButton('draw', 'Draw', draw, { key: 'D', pressed: drawing })}
     ${iconButton('section', SECTION_WORDS.tool, across, { key: 'L', pressed: session.tool === 'section' })}
+    ${hasSurface ? iconButton('redraw', EDIT_WORDS.redraw, () => startRedraw(session), { key: EDIT_WORDS.redrawKey, pressed: session.tool === 'redraw' }) : nothing}
     ${hasSurface ? iconButton('bend', EDIT_WORDS.bend, () => startBend(session), { key: EDIT_WORDS.bendKey, pressed: session.tool === 'bend' }) : nothing}
     ${iconButton('select', PART_WORDS.select, () => session.setTool('select'), { key: 'V', pressed: session.tool === 'select' })}
     ${

@@ -9,6 +9,7 @@ import {
   removeSelection,
   selectAll,
 } from './partDeeds.ts';
+import { leaveRedraw, startRedraw } from './redraws.ts';
 import type { Session } from './session.ts';
 import { leaveSkeleton, removeNode, toggleSkeleton } from './skeletonEdit.ts';
 import { type ShownStyle, STYLE_NAMES } from './words.ts';
@@ -71,6 +72,8 @@ function drawing(key: string, shift: boolean, session: Session, actions: KeyActi
     case 'd':
       session.setTool('draw');
       return done(actions.close());
+    case 'o':
+      return startRedraw(session);
     case 'b':
       return startBend(session);
     case 'l':
@@ -100,6 +103,10 @@ function back(session: Session, actions: KeyActions): void {
   if (session.cancel()) return;
   if (session.tool === 'bend') {
     dropBend(session);
+    return;
+  }
+  if (session.tool === 'redraw' && !session.document.draft) {
+    leaveRedraw(session);
     return;
   }
   if (leaveSkeleton(session)) return;

@@ -24,7 +24,7 @@ const LINES: Readonly<Record<LineStyle, Pencil>> = {
   full: { of: 'ink', width: 2, dash: [], alpha: 0.75, halo: 0 },
   hollow: { of: 'ink', width: 2, dash: [8, 7], alpha: 0.75, halo: 0 },
   lit: { of: 'pencil', width: 3.5, dash: [], alpha: 1, halo: 1.5 },
-  axis: { of: 'pencil', width: 1.75, dash: [2, 6], alpha: 0.9, halo: 0 },
+  axis: { of: 'pencil', width: 2.25, dash: [9, 6], alpha: 1, halo: 1.25 },
   control: { of: 'pencil', width: 1, dash: [], alpha: 0.55, halo: 0 },
 };
 const DOT = 7;

@@ -6,7 +6,7 @@ import { html, nothing, type PropertyDeclarations, type PropertyValues, type Tem
 import { draftIsWhole, draftSolids } from '../document/build.ts';
 import type { Scene } from '../scene/index.ts';
 import { isDark, lineColour, PAPER_COLOUR, pencilColour } from '../scene/look.ts';
-import { acrossCard, acrossLayout } from './acrossCard.ts';
+import { acrossCard, acrossLayout, CARD_WIDTH, hasAcrossCard } from './acrossCard.ts';
 import { actionsBar } from './actionsBar.ts';
 import { SketchApi } from './api.ts';
 import { bendCard } from './bendCard.ts';
@@ -34,6 +34,7 @@ import { partsLayout } from './partsLayout.ts';
 import { chipPlace, type Place, screenBox, strokesBox } from './place.ts';
 import { PointerRouter } from './pointer.ts';
 import { profileLayout } from './profileEditor.ts';
+import { redrawCard } from './redrawCard.ts';
 import { SceneLife, type SceneOwner } from './sceneLife.ts';
 import { Session } from './session.ts';
 import { hasSkeleton } from './skeletonEdit.ts';
@@ -44,6 +45,9 @@ import { tokens } from './tokens.ts';
 import { viewBall } from './viewBall.ts';
 import { drawInk } from './wetInk.ts';
 import { PART_WORDS, WORDS } from './words.ts';
+
+/** As in tokens.ts: darker than on tinted paper. */
+const CONTRAST_PENCIL = '#0033a8';
 
 /** Nothing in these changes the drawing where people may only look. */
 const LOOKING_PANELS: readonly PanelName[] = ['settings', 'menu', 'help'];
@@ -288,7 +292,7 @@ export class RotundSketch extends SketchApi {
     const around = {
       before: html`${hasSkeleton(session) ? skeletonOverlay(session) : gizmo(session, this)} ${empty && (session.noPicture?.told ?? true) ? html`<div class="start ${this.files.samples.list.length > 0 ? 'filled' : ''}">${hint()}${gallery(this)}</div>` : nothing} ${fileTray(session, this)}`,
       after: html`${rail(session, this)} ${meter(session)}
-        ${actionsBar(session, this)} ${bendCard(session)} ${acrossCard(session, this)} ${chip(session, this)}`,
+        ${actionsBar(session, this)} ${bendCard(session)} ${redrawCard(session)} ${acrossCard(session, this)} ${chip(session, this)}`,
     };
     return html`<div class="app ${isDark(session.look.background) ? 'on-dark' : ''}">
       <div class="stage ${this.#cursor}" part="stage" role=${this.readOnly ? 'img' : 'application'}
@@ -394,7 +398,10 @@ export class RotundSketch extends SketchApi {
       this.session,
       {
         ink: lineColour(background),
-        pencil: pencilColour(background),
+        pencil:
+          this.dataset.theme === 'contrast' && !isDark(background)
+            ? CONTRAST_PENCIL
+            : pencilColour(background),
         paper: PAPER_COLOUR[background],
         font: getComputedStyle(this).fontFamily,
       },
@@ -410,7 +417,9 @@ export class RotundSketch extends SketchApi {
     // a solid is not there at once
     const box = screenBox(meshes, view, size) ?? strokesBox(document.draft.strokes, view, size);
     const middle = { left: size.width / 2, right: size.width / 2, top: 80, bottom: 80 };
-    return chipPlace(box ?? middle, size, chipSize(document, size, showsBacks(this.session, this.open)));
+    const { width, height } = size;
+    const free = hasAcrossCard(this.session, this.open) ? { width: width - CARD_WIDTH, height } : size;
+    return chipPlace(box ?? middle, free, chipSize(document, size, showsBacks(this.session, this.open)));
   }
 
   // ── what the controls ask for ───────────────────────────────────────────────────────────────────────

@@ -38,6 +38,7 @@ import type { View } from '../stroke/stroke.ts';
 import { acrossOf } from '../tool/across.ts';
 import { choosing } from '../tool/bend.ts';
 import { idle } from '../tool/draw.ts';
+import { redrawing } from '../tool/redraw.ts';
 import { sectioning } from '../tool/section.ts';
 import { selecting } from '../tool/select.ts';
 import type { Bench, Pen, State, Notice as ToolNotice } from '../tool/tool.ts';
@@ -68,7 +69,13 @@ export interface Notice {
   readonly actions: readonly { readonly label: string; run(): void }[];
 }
 
-export const TOOLS = { draw: idle, section: sectioning, bend: choosing, select: selecting } as const;
+export const TOOLS = {
+  draw: idle,
+  section: sectioning,
+  redraw: redrawing(false),
+  bend: choosing,
+  select: selecting,
+} as const;
 /** ms: what takes less is done before one asks */
 const PATIENCE = 500;
 /** ms: a pen or a slider that is still for so long rests, and what is shown is made finely */
@@ -775,5 +782,5 @@ export class Session implements Bench, Viewport {
   }
 }
 
-const hintOf = ({ guide }: State): string =>
-  guide ? SECTION_WORDS.at(Math.round(100 * guide.u), guide.side) : '';
+const hintOf = ({ guide, redrawing: held }: State): string =>
+  guide ? SECTION_WORDS.at(Math.round(100 * guide.u), guide.side) : held?.over ? EDIT_WORDS.redrawLit : '';

@@ -326,6 +326,14 @@ export const METER_WORDS = {
   },
 } as const;
 
+/** A part whose strokes are in hand again. */
+export const RECREATE_WORDS = {
+  inHand: 'its strokes in hand',
+  said: (name: string) => `${name}, its strokes in hand`,
+  kept: (name: string) => `${name}, as it is drawn now`,
+  dropped: (name: string) => `${name} is as it was`,
+} as const;
+
 /** Sections across a form. */
 export const SECTION_WORDS = {
   tool: 'Section',
@@ -372,14 +380,30 @@ export const EDIT_WORDS = {
   bent: (name: string) => `${name} bent`,
   which: 'Tap the part to bend',
   bendFact: (index: number) => `bend ${index + 1}`,
+  recreate: 'Recreate',
+  recreateHint: 'Back to its strokes: draw on, redraw, remove',
+  strokes: 'Strokes',
+  stroke: (n: number) => `Stroke ${n}`,
+  removeStroke: (n: number) => `Remove stroke ${n}`,
+  redraw: 'Redraw',
+  redrawKey: 'O',
+  redrawLit: 'Redraw part of the lit outline',
+  redrawHover: 'Draw over a section or an outline',
+  reach: 'How far it reaches',
+  whole: 'Whole form',
+  wholeHint: 'The surface follows all along',
+  here: 'Only here',
+  hereHint: 'It fades to what was there',
   length: 'Length',
-  kept: 'Kept',
+  kept: 'Length kept',
   keptHint: 'It stays as long as it was',
   stretched: 'Stretched',
   stretchedHint: 'It reaches as far as the stroke',
   said: {
     bend: 'Draw the new centre line',
     'bend-what': 'Only surfaces of strokes can be bent',
+    'redraw-what': 'Start on a surface of strokes, or on its outline',
+    'section-edge-on': 'The section is seen from its edge. Turn the view a little',
     'end-on': 'The axis is seen from its end. Turn the view a little',
   },
 } as const;
@@ -389,6 +413,7 @@ export const KEYS: readonly { readonly keys: string; readonly does: string }[] =
   { keys: 'D', does: 'Draw' },
   { keys: 'L', does: 'Section: draw across a form' },
   { keys: 'V', does: 'Select' },
+  { keys: 'O', does: 'Redraw part of a section or an outline' },
   { keys: 'B', does: 'Bend what is selected, or was made last' },
   { keys: 'N or Enter', does: 'Keep the form' },
   { keys: 'Esc', does: 'Cancel the stroke, drop the form, let go' },

@@ -63,7 +63,7 @@ const MOST_FINE_POINTS = 1 << 17;
 /** a level of smoothing may move the curve by this much: a quarter of a millimetre, one pixel, at three levels */
 const FAIR_GRAINS = 0.08;
 /** a tremble of one pixel to either side, at four pixels a grain */
-const REST_GRAINS = 0.4;
+export const REST_GRAINS = 0.4;
 
 /** The smooth stroke, or null when the samples hold fewer than two places (a dot). RangeError for levels beyond 0–6. */
 export function filterStroke(samples: readonly Sample[], options: FilterOptions): FilteredStroke | null {

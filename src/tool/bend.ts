@@ -4,22 +4,23 @@
  * view a stroke was drawn in. Laying the tool down brings the camera back.
  */
 import { solidOf } from '../document/build.ts';
-import { centreLine } from '../document/centreLine.ts';
+import { centreLine, spineOf } from '../document/centreLine.ts';
 import { apply, type Command } from '../document/command/index.ts';
 import { type Document, isSurface, type SurfacePart } from '../document/document.ts';
 import { boxOfMesh } from '../document/extent.ts';
 import { placedStroke } from '../document/placedStroke.ts';
 import type { Bend } from '../document/surfacePart.ts';
 import { place3, unplaced } from '../math/placement.ts';
-import { add3, distance2, scale3 } from '../math/tuple.ts';
+import { add3, scale3 } from '../math/tuple.ts';
 import type { Vec3 } from '../math/vec.ts';
-import { facingPlane, project, toWorld } from '../stroke/plane.ts';
+import { facingPlane, toWorld } from '../stroke/plane.ts';
 import type { Plane, Stroke, View } from '../stroke/stroke.ts';
+import { isBendable } from '../surface/deform.ts';
+import { within } from '../surface/sideView.ts';
 import type { Mark } from './marks.ts';
 import { sideView, viewOnto } from './sideView.ts';
 import type { Bench, Pen, State } from './tool.ts';
-import { strokeOf, type Trace, traced, traceFrom } from './trace.ts';
-import type { Viewport } from './viewport.ts';
+import { isClosing, strokeOf, type Trace, traced, traceFrom } from './trace.ts';
 
 /** What is being bent. */
 export interface Bending {
@@ -34,8 +35,6 @@ export interface Bending {
   readonly home: View;
 }
 
-/** px that the axis is long, or it is seen from its end */
-const LEAST_AXIS = 24;
 /** px a tap may move */
 const STILL = 6;
 
@@ -81,7 +80,9 @@ export function bendPart(bench: Bench, id: string, index: number, home = bench.v
   const box = boxOfMesh(mesh);
   const drawnOn = old && placedStroke(old.stroke, part.placement).plane;
   bench.lookFrom(
-    drawnOn ? viewOnto(drawnOn, box, bench.viewport) : sideView(axisOf(part), plane, box, bench.viewport),
+    drawnOn
+      ? viewOnto(drawnOn, box, bench.viewport)
+      : sideView(axisOf(part, index), plane, box, bench.viewport),
   );
   bench.notify('bend');
   return bending({ id, index, old, keepsLength: old?.keepsLength ?? true, home });
@@ -103,7 +104,7 @@ function bending(held: Bending): State {
     down(pen, bench) {
       const part = surfaceIn(bench.document, held.id);
       if (!part) return choosing;
-      if (!isSeenAlong(axisOf(part), bench.viewport)) {
+      if (!isSeenAlong(part, held.index, bench.viewport.view)) {
         bench.notify('end-on');
         return undefined;
       }
@@ -142,10 +143,11 @@ function drawing(held: Bending, trace: Trace): State {
 /** A new bend, or, until it is kept, another one in its place. */
 function commandOf({ id, index, keepsLength }: Bending, trace: Trace, bench: Bench): Command | null {
   const part = surfaceIn(bench.document, id);
-  const line = part ? axisOf(part) : [];
+  const line = part ? axisOf(part, index) : [];
   if (!part || line.length === 0) return null;
   const plane = facingPlane(trace.view, middleOf(line));
-  const drawn = strokeOf(plane, trace, bench.viewport.size);
+  const isLoop = spineOf(part, index)?.closed === true && isClosing(trace);
+  const drawn = strokeOf(plane, trace, bench.viewport.size, isLoop);
   if (!drawn) return null;
   const stroke = placedStroke(drawn, unplaced(part.placement));
   return part.bends[index]
@@ -158,7 +160,7 @@ function marksOf(held: Bending, document: Document, isDrawing = false): readonly
   const part = surfaceIn(document, held.id);
   if (!part) return [];
   const bend = part.bends[held.index];
-  const axis: Mark = { kind: 'line', style: 'axis', points: axisOf(part) };
+  const axis: Mark = { kind: 'line', style: 'axis', points: axisOf(part, held.index) };
   if (!bend || isDrawing) return [axis];
   return [
     axis,
@@ -170,7 +172,8 @@ const strokePoints = ({ samples, plane }: Stroke): Vec3[] =>
   samples.map(({ x, y }) => toWorld(plane, [x, y]));
 
 /** In the world. */
-const axisOf = (part: SurfacePart): Vec3[] => centreLine(part).map((p) => place3(part.placement, p));
+const axisOf = (part: SurfacePart, index: number): Vec3[] =>
+  centreLine(part, index).map((p) => place3(part.placement, p));
 
 function placedPlane({ strokes, placement }: SurfacePart): Plane {
   return placedStroke(strokes[0]!, placement).plane;
@@ -183,10 +186,12 @@ function middleOf(points: readonly Vec3[]): Vec3 {
   );
 }
 
-function isSeenAlong(line: readonly Vec3[], { view, size }: Viewport): boolean {
-  const shown = line.map((p) => project(view, size, p)).filter((p) => p !== null);
-  const [first] = shown;
-  return first !== undefined && shown.some((p) => distance2(p, first) >= LEAST_AXIS);
+/** From the end of the axis there is nothing to bend. */
+function isSeenAlong(part: SurfacePart, index: number, view: View): boolean {
+  const spine = spineOf(part, index);
+  const plane = facingPlane(view, part.placement.translation);
+  const onto = placedPlane(part);
+  return spine !== null && isBendable(spine, within(plane, onto));
 }
 
 function surfaceIn({ parts }: Document, id: string): SurfacePart | null {

@@ -10,23 +10,18 @@ import { joinsDraft } from '../document/command/addStroke.ts';
 import { apply, type Command } from '../document/command/index.ts';
 import { type Document, isSolid, type Joins, readingOf } from '../document/document.ts';
 import { partsWithDraft } from '../document/draftPart.ts';
-import { LIMITS } from '../document/limits.ts';
 import { length2 } from '../math/tuple.ts';
 import { facingPlane } from '../stroke/plane.ts';
-import type { Plane, Stroke, View } from '../stroke/stroke.ts';
+import type { Plane, Stroke } from '../stroke/stroke.ts';
 import { acrossOf, type Guide, guideAt, isWithin } from './across.ts';
 import { isSnapped, marksOf, plan as planSection } from './crossing.ts';
 import { isEdgeOn, strokeOn } from './penStroke.ts';
 import type { Bench, Pen, State } from './tool.ts';
+import { isClosing, LEAST_LENGTH, type Trace, traced, traceFrom } from './trace.ts';
 import type { Hit } from './viewport.ts';
 
-/** Pixels. A tube is shown from here on, and a shorter gesture is a dot. */
-const MINIMUM = 12;
 /** Pixels: across less a stroke that starts on a side is no section. */
 const WIDE = 48;
-/** Pixels, or this share of the length, whichever is more: near enough to the start to close. */
-const CLOSING = { pixels: 24, share: 0.04, least: 4 } as const;
-
 export const idle: State = {
   name: 'draw.idle',
   down(pen, bench) {
@@ -36,7 +31,7 @@ export const idle: State = {
       bench.notify('edge-on');
       return undefined;
     }
-    return drawing({ pens: [pen], ground, view, length: 0, reach: 0 });
+    return drawing({ ...traceFrom(pen, view), ground });
   },
   cancel: () => idle,
 };
@@ -54,29 +49,24 @@ interface Ground {
   readonly guide: Guide | null;
 }
 
-interface Drawn {
-  readonly pens: Pen[];
+interface Drawn extends Trace {
   readonly ground: Ground;
-  readonly view: View;
-  /** pixels along the path, and the furthest it has been from its start */
-  readonly length: number;
-  readonly reach: number;
 }
 
 function drawing(drawn: Drawn): State {
   const { pens, ground } = drawn;
   return {
-    name: drawn.length < MINIMUM ? 'draw.pointing' : 'draw.drawing',
+    name: drawn.length < LEAST_LENGTH ? 'draw.pointing' : 'draw.drawing',
     wet: { pens, on: ground.on, closing: isClosing(drawn) },
     preview: (bench) => previewOf(drawn, bench),
-    move: (more, bench) => over(more.reduce(extend, drawn), bench),
+    move: (more, bench) => over({ ...drawn, ...traced(drawn, more) }, bench),
     up(bench) {
       const across = sectionOf(drawn, bench);
       if (across) {
         bench.commit(across);
         return idle;
       }
-      const stroke = drawn.length < MINIMUM ? null : strokeOf(drawn, bench);
+      const stroke = drawn.length < LEAST_LENGTH ? null : strokeOf(drawn, bench);
       if (stroke) bench.commit(plan(bench.document, stroke, ground.joins));
       else bench.notify('too-short', pointPlan(drawn, bench));
       return idle;
@@ -88,7 +78,7 @@ function drawing(drawn: Drawn): State {
 /** Between the two sides of the unfinished form it may become a section: the guide says so. */
 function over(drawn: Drawn, bench: Bench): State {
   const { ground } = drawn;
-  if (!ground.guide || drawn.length < MINIMUM || !isBetween(drawn, ground.guide, bench))
+  if (!ground.guide || drawn.length < LEAST_LENGTH || !isBetween(drawn, ground.guide, bench))
     return drawing(drawn);
   return {
     ...drawing(drawn),
@@ -105,31 +95,6 @@ function sectionOf(drawn: Drawn, bench: Bench): readonly Command[] | null {
   const { guide } = drawn.ground;
   const crossing = guide && { ...drawn, guide };
   return crossing && isSnapped(crossing, bench) ? planSection(crossing, bench) : null;
-}
-
-/** The pen's path is only ever appended to: copying it at each event would cost the square of its length.
- * What a file cannot hold is not drawn. */
-function extend(drawn: Drawn, pen: Pen): Drawn {
-  if (drawn.pens.length >= LIMITS.samples) return drawn;
-  const last = drawn.pens.at(-1) ?? pen;
-  const first = drawn.pens[0] ?? pen;
-  drawn.pens.push(pen);
-  return {
-    ...drawn,
-    length: drawn.length + length2([pen.x - last.x, pen.y - last.y]),
-    reach: Math.max(drawn.reach, length2([pen.x - first.x, pen.y - first.y])),
-  };
-}
-
-/** Near the start again, after having been clearly away from it. */
-function isClosing({ pens, length, reach }: Drawn): boolean {
-  // of a small loop half its size at most: a ring of a few pixels is one, too
-  const most = Math.max(CLOSING.least, 0.5 * reach);
-  const tolerance = Math.min(Math.max(CLOSING.pixels, CLOSING.share * length), most);
-  const first = pens[0];
-  const last = pens.at(-1);
-  if (!first || !last || reach < 1.5 * tolerance || length < 4 * tolerance) return false;
-  return length2([last.x - first.x, last.y - first.y]) <= tolerance;
 }
 
 /** The second stroke of a form joins it wherever it starts. */
@@ -220,7 +185,7 @@ function previewOf(drawn: Drawn, bench: Bench): Document | null {
   const { guide } = drawn.ground;
   // nobody knows yet whether it goes all the way across
   if (guide && isBetween(drawn, guide, bench)) return null;
-  const stroke = drawn.length >= MINIMUM ? strokeOf(drawn, bench) : null;
+  const stroke = drawn.length >= LEAST_LENGTH ? strokeOf(drawn, bench) : null;
   if (!stroke) return null;
   const commands = plan(bench.document, stroke, drawn.ground.joins);
   const first = bench.document.draft?.strokes[0];

@@ -9,6 +9,7 @@ import type { MedialGraph } from '../skeleton/medial/axis.ts';
 import type { Stroke, View } from '../stroke/stroke.ts';
 import type { Bending } from './bend.ts';
 import type { Mark } from './marks.ts';
+import type { Redrawing } from './redraw.ts';
 import type { Hit, Viewport } from './viewport.ts';
 
 /** One report of the pointer. */
@@ -36,7 +37,9 @@ export type Notice =
   | 'bent'
   | 'bend'
   | 'bend-what'
-  | 'end-on';
+  | 'end-on'
+  | 'redraw-what'
+  | 'section-edge-on';
 
 /** What a tool sees and may ask for. */
 export interface Bench {
@@ -99,6 +102,8 @@ export interface State {
   marked?(bench: Bench): readonly Mark[];
   /** What is being bent. */
   readonly bending?: Bending;
+  /** What is drawn over, and how far that reaches. */
+  readonly redrawing?: Redrawing;
   /** The tool waits here: gestures that begin elsewhere come back to it. */
   readonly waits?: true;
   /** The unfinished form steps back behind the marks. */

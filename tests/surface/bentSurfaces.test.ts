@@ -56,7 +56,7 @@ const forms: readonly [string, SurfaceKind, readonly Curve[], readonly PlacedOut
   ['egg with an overhanging section', 'crossSection', egg, overhang],
   ['stalk with a section', 'crossSection', stalk, sections],
 ];
-const OPTIONS = { radius: 6, pressure: false, caps: true, u: 40, v: 24 };
+const OPTIONS = { radius: 6, pressure: false, caps: true, u: 24, v: 16 };
 const sheetOf = (kind: SurfaceKind, curves: readonly Curve[], outlines: readonly PlacedOutline[]) =>
   buildSheet(kind, { curves, sections: outlines, bends: [] }, OPTIONS)!;
 

@@ -1,0 +1,114 @@
+/**
+ * Redraw (thesis 6.2): what is drawn takes the place of the part of a cross section, or of a construction curve in the view it was drawn
+ * in, that it was drawn over. What would be drawn over is lit while the pen hovers, and from the first contact on.
+ */
+import { apply, type Command } from '../document/command/index.ts';
+import type { Document } from '../document/document.ts';
+import { FRONT_VIEW } from '../document/drawing.ts';
+import { ontoSection } from '../document/sectionLoops.ts';
+import { splice } from '../stroke/splice.ts';
+import type { Mark } from './marks.ts';
+import { type Lit, litAt } from './redrawTarget.ts';
+import type { Bench, Pen, State } from './tool.ts';
+import { isClosing, strokeOf, type Trace, traced, traceFrom } from './trace.ts';
+
+/** How far a redrawn section reaches: over the whole form, or it fades to what was there. */
+export interface Redrawing {
+  readonly local: boolean;
+  /** what is lit */
+  readonly over: 'section' | 'side' | null;
+}
+
+export const redrawing = (local: boolean, lit: Lit | null = null): State => {
+  const state: State = {
+    name: lit ? 'redraw.lit' : 'redraw.idle',
+    waits: true,
+    redrawing: { local, over: lit?.kind ?? null },
+    ...(lit && { marks: marksOf(lit) }),
+    hover(pen, bench) {
+      const found = pen && litAt(pen, bench, local);
+      const next = typeof found === 'string' ? null : found;
+      return next || lit ? redrawing(local, next) : undefined;
+    },
+    down: (pen, bench) => begun(pen, bench, local, (on) => redrawing(local, on)),
+    // Nothing is under way: cancelling it is no deed.
+    cancel: () => state,
+  };
+  return state;
+};
+
+/** With the other end of a pen: one stroke, and back to the tool in hand. */
+export const redrawOnce = (back: State): State => ({
+  name: 'redraw.once',
+  still: true,
+  down: (pen, bench) => begun(pen, bench, false, () => back) ?? back,
+  cancel: () => back,
+});
+
+function begun(pen: Pen, bench: Bench, local: boolean, back: (lit: Lit | null) => State): State | undefined {
+  const lit = litAt(pen, bench, local);
+  if (typeof lit === 'string') {
+    bench.notify(lit);
+    return undefined;
+  }
+  return drawing({ lit, local, back, trace: traceFrom(pen, bench.viewport.view) });
+}
+
+interface Drawn {
+  readonly lit: Lit;
+  readonly local: boolean;
+  readonly trace: Trace;
+  back(lit: Lit | null): State;
+}
+
+function drawing(drawn: Drawn): State {
+  const { lit, local, trace } = drawn;
+  let shown: Document | null = null;
+  return {
+    name: 'redraw.drawing',
+    redrawing: { local, over: lit.kind },
+    wet: { pens: trace.pens, on: null, closing: isLoop(lit, trace) },
+    marks: marksOf(lit),
+    preview(bench) {
+      const command = shown ? null : commandOf(drawn, bench);
+      shown ??= command && apply(bench.document, command);
+      return shown;
+    },
+    move: (pens) => drawing({ ...drawn, trace: traced(trace, pens) }),
+    up(bench) {
+      const command = commandOf(drawn, bench);
+      if (command) bench.commit([command]);
+      else bench.notify('too-short');
+      return drawn.back(null);
+    },
+    cancel: () => drawn.back(lit),
+  };
+}
+
+/** All round, where it is closed itself. */
+const isLoop = (lit: Lit, trace: Trace): boolean => lit.closed && isClosing(trace);
+
+function commandOf({ lit, local, trace }: Drawn, { viewport }: Bench): Command | null {
+  const stroke = strokeOf(lit.plane, trace, viewport.size, isLoop(lit, trace));
+  if (!stroke) return null;
+  if (lit.kind === 'side') {
+    const over = { ...stroke, plane: lit.old.plane };
+    const grain = stroke.view.height / FRONT_VIEW.height;
+    const next = splice(lit.old, over, grain);
+    return next === lit.old ? null : { type: 'setStroke', ...lit.whose, index: lit.index, stroke: next };
+  }
+  const { u, half } = lit.loop;
+  const drawn = { stroke: ontoSection(stroke, lit.loop), half };
+  return { type: 'redrawSection', ...lit.whose, u, drawn, ...(local && { local: true as const }) };
+}
+
+function marksOf(lit: Lit): readonly Mark[] {
+  return [
+    {
+      kind: 'line',
+      style: 'lit',
+      points: lit.points,
+      ...(lit.kind === 'section' && lit.closed && { closed: true as const }),
+    },
+  ];
+}
