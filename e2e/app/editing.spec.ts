@@ -111,7 +111,7 @@ test('strokes are in hand again where the part was drawn from, and go one by one
   await page.getByRole('button', { name: 'Recreate' }).click();
   await still(page);
   const { rotation } = await view(page);
-  rotation.forEach((q, i) => expect(q).toBeCloseTo(home.rotation[i]!, 6));
+  for (const [i, q] of rotation.entries()) expect(q).toBeCloseTo(home.rotation[i]!, 6);
   await page.getByRole('button', { name: 'Remove stroke 2' }).click();
   await page.getByRole('button', { name: 'Keep' }).click();
   expect(await part(page)).toMatchObject({ kind: 'tube', id: 'part-1' });
