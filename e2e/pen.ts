@@ -43,7 +43,7 @@ export class PenDriver {
     await this.#send('mousePressed', at, 0.3, button);
   }
 
-  async move(at: Point, force = 0.5, button: 'left' | 'right' = 'left'): Promise<void> {
+  async move(at: Point, force = 0.5, button: 'left' | 'right' | 'none' = 'left'): Promise<void> {
     await this.#send('mouseMoved', at, force, button);
   }
 

@@ -11,6 +11,7 @@ export interface SectionCurve {
   readonly points: readonly Vec2[];
   /** 0–1 at each of them */
   readonly pressure: readonly number[];
+  readonly isBack: boolean;
 }
 
 const STEPS = 96;
@@ -24,7 +25,7 @@ export function sectionCurves(
   return sections.flatMap(({ u, front, back }) =>
     [front, back].flatMap((drawn) => {
       const curve = drawn && snapped(drawn, pair, u, brush);
-      return curve ? [curve] : [];
+      return curve ? [{ ...curve, isBack: drawn === back }] : [];
     }),
   );
 }
@@ -35,7 +36,7 @@ function snapped(
   pair: Pair,
   u: number,
   brush: Pick<Brush, 'filter' | 'levels'>,
-): SectionCurve | null {
+): Omit<SectionCurve, 'isBack'> | null {
   const curve = half === null ? curveOfStroke(stroke, brush) : null;
   if (!curve) return null;
   const [a, b] = [curve.point(0), curve.point(1)];

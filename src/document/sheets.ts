@@ -1,8 +1,10 @@
 /** Surfaces as sheets before they are meshes: what tools ask for sections, spines and rows. Cached by reference. */
+import type { Vec3 } from '../math/vec.ts';
 import type { Curve } from '../stroke/curve.ts';
 import type { Stroke } from '../stroke/stroke.ts';
+import { controlNet, netLines } from '../surface/controlNet.ts';
 import { type BendInput, deform } from '../surface/deform.ts';
-import { buildSheet, type SurfaceKind } from '../surface/index.ts';
+import { buildSheet, type PlacedOutline, type SurfaceKind } from '../surface/index.ts';
 import type { PatchOptions } from '../surface/patch.ts';
 import type { Sheet } from '../surface/sheet.ts';
 import { within } from '../surface/sideView.ts';
@@ -110,6 +112,30 @@ function built(
   const quads = resolution ?? quadsOf(form.detail);
   const patch = patchOf(form.between, form.detail, resolution);
   return buildSheet(kind, input, { radius, pressure, caps, ...quads, patch });
+}
+
+/** The lines of the control net of a patch, bent as it is, in the coordinates of its drawing plane; none of other surfaces. */
+export function controlLinesOf(
+  kind: SurfaceKind,
+  form: SurfaceForm,
+  brush: Brush,
+): readonly (readonly Vec3[])[] {
+  const curves = kind === 'bspline' && form.between !== 'plain' ? curvesOf(form.strokes, brush) : null;
+  if (!curves) return [];
+  const { radius, pressure } = brush;
+  const input = { curves, radius, pressure, caps: 'none' as const };
+  const net = controlNet(
+    input,
+    outlinesOf(kind, form, brush, curves),
+    patchOf(form.between, form.detail, null),
+  );
+  return netLines(bendsOf(form, brush).reduce(deform, net));
+}
+
+/** Of each section of a surface, in the order of its list; none where it has no strokes to speak of. */
+export function outlinesOfPart(kind: SurfaceKind, form: SurfaceForm, brush: Brush): readonly PlacedOutline[] {
+  const curves = curvesOf(form.strokes, brush);
+  return curves ? outlinesOf(kind, form, brush, curves) : [];
 }
 
 /** Null where one is too short to be a line. */

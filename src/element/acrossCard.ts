@@ -8,8 +8,11 @@ import { type IconName, icon } from './icons.ts';
 import type { Session } from './session.ts';
 import { SECTION_WORDS } from './words.ts';
 
-/** px: narrower pages have the chip alone */
-const ROOM = 700;
+/** px: on narrower pages it would lie on the drawing, and the chip has the choice alone */
+const ROOM = 1100;
+
+/** px from the right edge that it covers */
+export const CARD_WIDTH = 336;
 
 /** Whether the card is there; the chip has the choice of backs where it is not. */
 export function hasAcrossCard(session: Session, open: Actions['open']): boolean {
@@ -101,6 +104,9 @@ export const acrossLayout = css`
   .meter.steps button { gap: 0.3125rem; }
   .meter.steps .icon:first-child { margin-right: 0.25rem; }
   .meter.steps ~ .status { max-width: calc(50cqw - 19rem); }
+  @container (max-width: 1399px) {
+    .meter.steps ~ .status .facts { display: none; }
+  }
   @container (max-width: 1099px) {
     .meter.steps button { padding: 0 0.75rem; }
     .meter.steps ~ .status { max-width: calc(50cqw - 16rem); }

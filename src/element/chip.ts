@@ -59,7 +59,7 @@ const joinChoices = (document: Document): readonly JoinWord[] =>
 export function chipSize(document: Document, { width }: Size, backs = false): ChipSize {
   const forms = backs ? BACKS.length : formChoices(document).length;
   const joins = joinChoices(document).length > 0 || hasStrokesRow(document);
-  const words = width >= WORDY;
+  const words = backs || width >= WORDY;
   return {
     width: (forms > 0 ? 368 : 352) + forms * (words ? 90 : 46),
     narrow: forms > 0 || joins ? 304 : 190,
@@ -158,7 +158,7 @@ function backs(session: Session): TemplateResult {
     chosen: back === now,
     run: () => setBack(session, back),
   }));
-  return radios(SECTION_WORDS.back, 'forms', choices);
+  return radios(SECTION_WORDS.back, 'forms backs', choices);
 }
 
 function choose(session: Session, word: FormWord): void {

@@ -14,6 +14,9 @@ export const chipLayout = css`
   @container (max-width: 1099px) {
     .chip .forms .b { padding: 0; }
     .chip .forms .word { display: none; }
+    .chip .backs .b { padding: 0 0.75rem 0 0.5rem; }
+    .chip .backs .word { display: inline; }
+    .chip.narrow .backs .b { padding: 0; }
   }
   .chip.narrow { max-width: 19rem; }
   .chip.narrow .main { flex-wrap: wrap; }
@@ -32,6 +35,8 @@ export const chipLayout = css`
     .chip.narrow .main > .text .word { display: none; }
     .chip .forms, .chip.narrow .forms { order: 1; flex: none; width: 100%; justify-content: space-around; border: 0; border-top: 1px solid var(--hairline); margin: 0; padding: 0.25rem 0 0; }
     .chip .forms .b, .chip.narrow .forms .b { flex: 1; max-width: 4.5rem; }
+    .chip .backs .b, .chip.narrow .backs .b { max-width: none; gap: 0.375rem; }
+    .chip .backs .word, .chip.narrow .backs .word { display: inline; }
     .chip .joins .b { flex: 1; padding: 0 0.5rem; }
     .chip .joins .word { display: inline; }
     .meter .long { display: none; }

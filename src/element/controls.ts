@@ -7,9 +7,18 @@ import { startBend } from './bending.ts';
 import type { Files } from './files.ts';
 import { ball, type IconName, icon, wordmark } from './icons.ts';
 import type { Place } from './place.ts';
+import { drawRadius } from './radiusDrawing.ts';
 import { startRedraw } from './redraws.ts';
 import type { Session } from './session.ts';
-import { EDIT_WORDS, PART_WORDS, SECTION_WORDS, type ShownStyle, STYLE_NAMES, WORDS } from './words.ts';
+import {
+  EDIT_WORDS,
+  PART_WORDS,
+  SECTION_WORDS,
+  type ShownStyle,
+  SIZE_WORDS,
+  STYLE_NAMES,
+  WORDS,
+} from './words.ts';
 
 export type PanelName = 'settings' | 'menu' | 'palette' | 'help' | 'drawings' | 'file' | 'export' | 'parts';
 
@@ -174,7 +183,7 @@ export function rail(session: Session, actions: Actions): TemplateResult {
                 @pointerdown=${() => session.holdSlider()} @blur=${() => session.holdSlider()}
               />
             </div>
-            <div class="caption">${radius} mm</div>`
+            <button class="caption" title=${SIZE_WORDS.hint} aria-label=${SIZE_WORDS.brush(radius)} @click=${() => drawRadius(session, (mm) => ({ type: 'setBrush', change: { radius: mm } }))}>${radius} mm</button>`
     }
     ${navigator.maxTouchPoints > 0 ? fingerSwitch(actions) : nothing}
   </div>`;

@@ -1,4 +1,6 @@
 /** What is said of the unfinished form, and what it joins. */
+
+import { recreatedOf } from '../document/command/keep.ts';
 import { type Document, type Joins, readingOf, type SolidPart } from '../document/document.ts';
 import { formOf, joinedOf } from '../document/draftPart.ts';
 import type { Stroke } from '../stroke/stroke.ts';
@@ -7,6 +9,7 @@ import {
   type FormWord,
   type JoinWord,
   PART_WORDS,
+  RECREATE_WORDS,
   SECTION_WORDS,
   SILHOUETTE_WORDS,
   SURFACE,
@@ -31,11 +34,15 @@ export function longName(document: Document): string {
 
 /** On the chip. */
 export function shortName(document: Document): string {
+  const again = recreatedOf(document);
+  if (again) return again.name;
   const kind = readingOf(document);
   return kind && kind !== 'solid' && kind !== 'crossSection' ? SURFACE[kind].name : longName(document);
 }
 
 export function previewWords(document: Document): string {
+  const again = recreatedOf(document);
+  if (again) return RECREATE_WORDS.said(again.name);
   const kind = readingOf(document);
   const sections = document.draft?.sections?.length ?? 0;
   if (kind === 'bspline') return `${WORDS.preview(kind)}, ${SECTION_WORDS.sections(sections)}`;
@@ -51,6 +58,8 @@ export function previewWords(document: Document): string {
 export function keptWords(document: Document): string | null {
   const kind = readingOf(document);
   if (!kind) return null;
+  const again = recreatedOf(document);
+  if (again) return RECREATE_WORDS.kept(again.name);
   const joined = joinedOf(document);
   if (joined)
     return document.draft?.carves
@@ -62,6 +71,7 @@ export function keptWords(document: Document): string | null {
 
 /** One fact, under the name on the chip. */
 export function fact(document: Document): string {
+  if (recreatedOf(document)) return RECREATE_WORDS.inHand;
   const { draft, brush } = document;
   const strokes = draft?.strokes.length ?? 0;
   const across = sectionsFact(document);
@@ -94,6 +104,12 @@ function sectionsFact(document: Document): string | null {
 /** The section that was drawn last has no back yet, and gets one of its own. */
 export function lacksBack({ draft }: Document): boolean {
   return draft?.back === 'drawn' && (draft.sections ?? []).some(({ front, back }) => front && !back);
+}
+
+/** When it was dropped: `document` is the one before. */
+export function droppedWords(document: Document): string {
+  const again = recreatedOf(document);
+  return again ? RECREATE_WORDS.dropped(again.name) : WORDS.dropped;
 }
 
 // A form that was set apart can be joined again as long as its strokes are there.

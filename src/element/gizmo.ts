@@ -1,6 +1,6 @@
 /**
  * The handles on the selected parts and groups: a square for the view plane, a knob an axis, one that slides over the surface
- * underneath, and a ring with one that turns and one that scales. They keep their size on the screen, lie over everything, and are buttons for the keyboard.
+ * underneath, and a ring with those that turn, about the line of sight and the screen's other axes, and one that scales. They keep their size on the screen, lie over everything, and are buttons for the keyboard.
  */
 import { html, nothing, svg, type TemplateResult } from 'lit';
 import { groupsChosen } from '../document/chosen.ts';
@@ -11,7 +11,7 @@ import { length2, scale2, unrotate3 } from '../math/tuple.ts';
 import type { Vec2, Vec3 } from '../math/vec.ts';
 import { project, toWorld } from '../stroke/plane.ts';
 import type { View } from '../stroke/stroke.ts';
-import { AXIS, type Handle } from '../tool/move.ts';
+import { AXIS, type Handle, TILT } from '../tool/move.ts';
 import type { Carried } from '../tool/tool.ts';
 import type { Actions } from './controls.ts';
 import { dragHandle, hasFocus, keyHandle, letGo, takeFocus } from './gizmoHands.ts';
@@ -58,6 +58,7 @@ export function gizmo(session: Session, actions: Actions): TemplateResult | type
     <svg aria-hidden="true">${inkOfGroups(session, at)}${ring(knobs)}${knobs.map(shaft)}</svg>
     <span id="handle-hint" class="hidden">${PART_WORDS.handleHint}</span>
     <span id="turn-hint" class="hidden">${SOLID_WORDS.turnHint}</span>
+    <span id="tilt-hint" class="hidden">${SOLID_WORDS.tiltHint}</span>
     <span id="scale-hint" class="hidden">${SOLID_WORDS.scaleHint}</span>
     ${knobs.map((knob) => button(knob, session))}
     ${tag(knobs, carried)}
@@ -68,7 +69,11 @@ export function gizmo(session: Session, actions: Actions): TemplateResult | type
 function held(knob: Knob, carried: Carried | undefined): Knob {
   const { handle, at } = knob;
   if (!at) return knob;
-  if (handle === 'turn' && carried?.degrees !== undefined) {
+  if (carried?.degrees !== undefined && carried.about && turnOf(carried) === handle) {
+    const way = carried.degrees / TILT;
+    return { handle, at: carried.about === 'x' ? [at[0], at[1] + way] : [at[0] + way, at[1]] };
+  }
+  if (handle === 'turn' && carried?.degrees !== undefined && !carried.about) {
     const angle = (-carried.degrees * Math.PI) / 180;
     const [c, s] = [Math.cos(angle), Math.sin(angle)];
     return { handle, at: [c * at[0] - s * at[1], s * at[0] + c * at[1]] };
@@ -77,10 +82,13 @@ function held(knob: Knob, carried: Carried | undefined): Knob {
   return knob;
 }
 
+const turnOf = ({ about }: Carried): Handle =>
+  about === undefined ? 'turn' : about === 'x' ? 'turnX' : 'turnY';
+
 /** The value beside the hand. */
 function tag(knobs: readonly Knob[], carried: Carried | undefined): TemplateResult | typeof nothing {
   const { degrees, factor } = carried ?? {};
-  const handle = degrees !== undefined ? 'turn' : 'scale';
+  const handle = carried && degrees !== undefined ? turnOf(carried) : 'scale';
   const at = knobs.find((knob) => knob.handle === handle)?.at;
   if (!at || (degrees === undefined && factor === undefined)) return nothing;
   const text =
@@ -90,7 +98,7 @@ function tag(knobs: readonly Knob[], carried: Carried | undefined): TemplateResu
 
 /** Around the middle, with gaps where its knobs are. */
 function ring(knobs: readonly Knob[]) {
-  const on = knobs.filter(({ handle, at }) => at && (handle === 'turn' || handle === 'scale'));
+  const on = knobs.filter(({ handle, at }) => at && isOnRing(handle));
   const turn = on.find(({ handle }) => handle === 'turn')?.at;
   if (!turn) return nothing;
   const radius = length2(turn);
@@ -159,11 +167,18 @@ export function knobsAround(view: View, size: Size, middle: Vec2, free: Rect, ot
   const turn = placeAt(TURN, reach.ring, middle, free, taken);
   taken.push(turn);
   const scale = placeAt(SCALE, reach.ring, middle, free, taken);
+  taken.push(scale);
+  const tilts = (['turnY', 'turnX'] as const).map((handle): Knob => {
+    const at = placeAt(handle === 'turnY' ? TILT_Y : TILT_X, reach.ring, middle, free, taken);
+    taken.push(at);
+    return { handle, at };
+  });
   return [
     { handle: 'view', at: [0, 0] },
     ...axes,
     { handle: 'surface', at: slide },
     { handle: 'turn', at: turn },
+    ...tilts,
     { handle: 'scale', at: scale },
   ];
 }
@@ -182,6 +197,9 @@ const BETWEEN = [22, 158, -158, -22, 67, 113, -113, -67, 0, 180, 90, -90] as con
 const SLIDE = [135, 45, -135, -45, ...BETWEEN] as const;
 const TURN = [...QUARTERS, ...BETWEEN] as const;
 const SCALE = [-36, -135, 135, 45, ...BETWEEN] as const;
+/** below and above the form, and beside it: they are dragged along the ring there */
+const TILT_Y = [90, -90, 67, 113, -67, -113, ...QUARTERS, ...BETWEEN] as const;
+const TILT_X = [180, 0, 158, -158, 22, -22, ...QUARTERS, ...BETWEEN] as const;
 
 function placeAt(
   angles: readonly number[],
@@ -199,15 +217,25 @@ function placeAt(
 }
 
 const shaft = ({ handle, at }: Knob) =>
-  at && handle !== 'view' && handle !== 'turn' && handle !== 'scale'
+  at && handle !== 'view' && !isOnRing(handle)
     ? svg`<path class="halo" d="M0 0L${at[0]} ${at[1]}"/><path class="shaft ${handle}" d="M0 0L${at[0]} ${at[1]}"/>`
     : nothing;
+
+const HINT: Partial<Record<Handle, string>> = {
+  turn: 'turn-hint',
+  turnX: 'tilt-hint',
+  turnY: 'tilt-hint',
+  scale: 'scale-hint',
+};
+
+const isOnRing = (handle: Handle): handle is 'turn' | 'turnX' | 'turnY' | 'scale' =>
+  HINT[handle] !== undefined;
 
 /** Always there, hidden or not: the one that is being dragged must stay the same. */
 function button({ handle, at }: Knob, session: Session): TemplateResult {
   const [x, y] = at ?? [0, 0];
   const name = PART_WORDS.handle[handle];
-  return html`<button class="handle ${handle}" aria-label=${name} title=${name} aria-describedby=${handle === 'turn' || handle === 'scale' ? `${handle}-hint` : 'handle-hint'} ?hidden=${!at}
+  return html`<button class="handle ${handle}" aria-label=${name} title=${name} aria-describedby=${HINT[handle] ?? 'handle-hint'} ?hidden=${!at}
     style="left:${x}px;top:${y}px"
     @pointerdown=${(event: PointerEvent) => dragHandle(event, session, handle)}
     @keydown=${(event: KeyboardEvent) => keyHandle(event, session, handle)}
@@ -217,6 +245,6 @@ function button({ handle, at }: Knob, session: Session): TemplateResult {
 
 function face(handle: Handle): TemplateResult | string {
   if (handle === 'view') return icon('move', 20);
-  if (handle === 'turn' || handle === 'scale') return icon(handle, 20);
+  if (isOnRing(handle)) return icon(handle, 20);
   return handle === 'surface' ? icon('attach', 20) : handle.toUpperCase();
 }

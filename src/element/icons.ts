@@ -24,6 +24,7 @@ import drawings from 'lucide-static/icons/layout-grid.svg?raw';
 import lock from 'lucide-static/icons/lock.svg?raw';
 import full from 'lucide-static/icons/maximize.svg?raw';
 import scale from 'lucide-static/icons/maximize-2.svg?raw';
+import minus from 'lucide-static/icons/minus.svg?raw';
 import select from 'lucide-static/icons/mouse-pointer-2.svg?raw';
 import move from 'lucide-static/icons/move.svg?raw';
 import draw from 'lucide-static/icons/pencil.svg?raw';
@@ -52,6 +53,10 @@ const OURS = {
   mirror: '<path d="M12 20v2M12 14v2M12 8v2M12 2v2"/><path d="M9 7L3 17h6z"/><path d="M15 7l6 10h-6z"/>',
   mirrorCopy:
     '<path d="M12 20v2M12 14v2M12 8v2M12 2v2"/><path d="M9 7L3 17h6z"/><path d="M15 7l6 10h-6z" style="fill:currentColor"/>',
+  turnX:
+    '<g transform="rotate(90 12 12)"><path d="M12 2.500v19" stroke-dasharray="2.200 2.600"/><path d="M9 9.600c-2.800.5-4.700 1.700-4.700 3.200 0 2.100 3.500 3.700 7.700 3.700s7.700-1.600 7.700-3.700c0-1.500-1.900-2.700-4.700-3.200"/><path d="M17.600 7.300L15 9.600l2.300 2.600"/></g>',
+  turnY:
+    '<path d="M12 2.500v19" stroke-dasharray="2.200 2.600"/><path d="M9 9.600c-2.800.5-4.700 1.700-4.700 3.200 0 2.100 3.500 3.700 7.700 3.700s7.700-1.600 7.700-3.700c0-1.500-1.900-2.700-4.700-3.200"/><path d="M17.600 7.300L15 9.600l2.300 2.600"/>',
   attach:
     '<circle cx="8" cy="14" r="4.800"/><circle cx="16.800" cy="7.800" r="3.300"/><path d="M11.800 11.200l2.200-1.500"/>',
   tube: '<path d="M4 20.2a3 3 0 0 1-.9-5.2C8.4 10 11 15.300 15.900 6.300"/><path d="M21 9c-5.900 10.400-10.600 5.600-15.700 10.700"/><ellipse cx="18.450" cy="7.650" rx="2.900" ry="1.700" transform="rotate(28 18.450 7.650)"/>',
@@ -120,6 +125,7 @@ const LUCIDE = {
   lock,
   more,
   open,
+  minus,
   plus,
   redo,
   save,

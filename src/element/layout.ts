@@ -71,6 +71,8 @@ export const layout = css`
   /* rail */
   .rail { position: absolute; left: var(--gap); top: 50%; transform: translateY(-50%); width: 3.75rem; padding: 0.4375rem; border-radius: 1.25rem; display: flex; flex-direction: column; gap: 0.25rem; align-items: center; }
   .rail hr { width: 1.75rem; border: 0; border-top: 1px solid var(--hairline); margin: 0.25rem 0; }
+  .rail button.caption { min-width: 2.75rem; min-height: 2.75rem; border-radius: 0.75rem; }
+  .rail button.caption:hover { background: var(--sunken); }
   .rail .caption { font-size: 0.75rem; line-height: 1rem; color: var(--ink-2); text-align: center; white-space: nowrap; }
   .rail.named { width: 11rem; align-items: stretch; }
   .rail.named .b { justify-content: flex-start; padding: 0 0.625rem; gap: 0.75rem; }

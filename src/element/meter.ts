@@ -11,7 +11,9 @@ export function meter(session: Session): TemplateResult | typeof nothing {
   // while the pen closes an outline it already is what lifting would make it
   const { draft } = session.state.wet ? session.shown() : session.document;
   if (!draft) return nothing;
-  if (draft.strokes[0]?.closed) return closedMeter(session);
+  // closed sides of a part that is in hand again are no outline
+  const isSurface = draft.recreates !== undefined || draft.sections !== undefined;
+  if (draft.strokes[0]?.closed && !isSurface) return closedMeter(session);
   return session.document.draft ? numbered(session) : nothing;
 }
 
@@ -53,10 +55,11 @@ function stepButton(session: Session, step: SurfaceKind, i: number, now: number)
   const { name, number } = METER_WORDS.steps[step];
   const sign = { pinned: 'lock', done: 'check', current: null, next: null } as const;
   const hold = step === 'tube' ? held(session) : null;
-  return html`<button class=${state} aria-current=${i === now ? 'step' : nothing} title=${METER_WORDS.hint(step, state)}
+  const label = `${number} ${name}${pinned ? `, ${METER_WORDS.everyStroke}` : ''}`;
+  return html`<button class=${state} aria-label=${label} aria-current=${i === now ? 'step' : nothing} title=${METER_WORDS.hint(step, state)}
     @click=${() => hold?.wasLong() || take(session, step, now)}
     @pointerdown=${hold?.begin} @pointerup=${hold?.end} @pointerleave=${hold?.end} @contextmenu=${hold?.pin}>
-    ${icon(step)}${sign[state] ? html`<span class="tick">${icon(sign[state])}</span>` : nothing}<span class="number">${number}</span><span class="long">${name}</span>${pinned ? html`<span class="hidden">, ${METER_WORDS.everyStroke}</span>` : nothing}
+    ${icon(step)}${sign[state] ? html`<span class="tick">${icon(sign[state])}</span>` : nothing}<span class="number">${number}</span><span class="long">${name}</span>
   </button>`;
 }
 

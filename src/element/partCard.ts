@@ -4,16 +4,19 @@ import { live } from 'lit/directives/live.js';
 import { CLAY, solidOf } from '../document/build.ts';
 import { itemsOf, nameOf } from '../document/command/changeParts.ts';
 import { LONGEST_NAME } from '../document/command/renamePart.ts';
-import { isSolid, type Part, RADIUS_RANGE, type SurfacePart } from '../document/document.ts';
+import { isSolid, isSurface, type Part, RADIUS_RANGE, type SurfacePart } from '../document/document.ts';
 import { chosenColour, chosenParts, coloursOf } from './chosenParts.ts';
 import { colourName, spheres } from './colours.ts';
 import { radiusToSlider, sliderToRadius } from './controls.ts';
 import { partFinish } from './finishCard.ts';
 import { flawsOf } from './flaws.ts';
 import { groupCard } from './groupCard.ts';
+import { icon } from './icons.ts';
 import { madeOf } from './partRows.ts';
+import { drawRadius, isDrawingRadius } from './radiusDrawing.ts';
 import type { Session } from './session.ts';
-import { PART_WORDS, SURFACE } from './words.ts';
+import { surfaceCard } from './surfaceCard.ts';
+import { PART_WORDS, SIZE_WORDS, SURFACE } from './words.ts';
 
 export function partCard(session: Session): TemplateResult {
   const parts = chosenParts(session);
@@ -24,8 +27,9 @@ export function partCard(session: Session): TemplateResult {
     ${chosen.length === 1 ? nameField(session, chosen[0]!) : html`<h3>${PART_WORDS.several(chosen.length)}</h3>`}
     <h3>${PART_WORDS.colour} <span class="value">${colourWords(session)}</span></h3>
     ${partColours(session)} ${partFinish(session)} ${radius(session, parts)}
+    ${parts.length === chosen.length && parts.every(isSurface) ? surfaceCard(session, parts) : nothing}
     ${parts.every(isSolid) ? groupCard(session) : nothing}
-    ${only ? html`<p class="quiet-words">${facts(only)}</p>` : nothing}
+    ${only && !isSurface(only) ? html`<p class="quiet-words">${facts(only)}</p>` : nothing}
     ${only ? flaws(session, only) : nothing}
   </section>`;
 }
@@ -78,13 +82,17 @@ function radius(session: Session, parts: readonly Part[]): TemplateResult | type
     const value = sliderToRadius(Number((event.target as HTMLInputElement).value));
     session.tune({ type: 'setPartBrush', ids: session.selection, change: { radius: value } }, done);
   };
+  const ids = session.selection;
+  const draw = () =>
+    drawRadius(session, (drawn) => ({ type: 'setPartBrush', ids, change: { radius: drawn } }));
   return html`<h3>${PART_WORDS.radius} <span class="value">${same ? `${mm} mm` : PART_WORDS.mixed}</span></h3>
     <div class="slide">
       <input type="range" min="0" max="100" step="1" aria-label="Radius of ${nameOf(session.document, session.selection)}"
         aria-valuetext="${mm} mm, from ${RADIUS_RANGE.min} to ${RADIUS_RANGE.max}" style="--fill: ${position}%"
         .value=${live(String(position))} @input=${moved(false)} @change=${moved(true)}
         @pointerdown=${() => session.holdSlider()} @blur=${() => session.holdSlider()} />
-    </div>`;
+    </div>
+    <button class="row" title=${SIZE_WORDS.hint} aria-pressed=${isDrawingRadius(session)} @click=${draw}>${SIZE_WORDS.draw}<span class="grow"></span>${icon('draw', 20)}</button>`;
 }
 
 const flaws = ({ bodies }: Session, part: Part): TemplateResult[] =>

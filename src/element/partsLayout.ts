@@ -30,6 +30,7 @@ export const partsLayout = css`
   .handle.view { border-radius: 0.875rem; }
   .handle.view > span { width: 2.875rem; height: 2.875rem; border-radius: 0.875rem; background: var(--axis-view); color: var(--on-axis-view); }
   .handle:is(.surface, .turn, .scale) > span { width: 2.75rem; height: 2.75rem; background: var(--surface); color: var(--ink); border: 2px solid var(--edge); }
+  .handle:is(.turnX, .turnY) > span { width: 2.125rem; height: 2.125rem; background: var(--surface); color: var(--ink); border: 2px solid var(--edge); }
   .handle:hover > span { filter: brightness(1.08); }
 
   /* actions */
@@ -74,6 +75,29 @@ export const partsLayout = css`
   .more summary::after { content: ''; width: 0.4375rem; height: 0.4375rem; margin: -0.25rem 0.25rem 0 auto; border: solid currentColor; border-width: 0 2px 2px 0; rotate: 45deg; }
   .more[open] summary::after { rotate: 225deg; margin-top: 0.25rem; }
   .more summary:hover { background: var(--sunken); }
+  .tiles { display: grid; grid-template-columns: repeat(3, 1fr); gap: 0.5rem; padding: 0 0.5rem 0.25rem; }
+  .tile { position: relative; display: grid; min-height: 4.25rem; border-radius: 0.75rem; font-size: 0.8125rem; line-height: 1.125rem; }
+  .tile .pick, .tile.add { display: flex; flex-direction: column; align-items: center; justify-content: center; gap: 0.25rem; border-radius: 0.75rem; box-shadow: inset 0 0 0 1.5px var(--hairline); }
+  .tile .pick[aria-pressed='true'] { box-shadow: inset 0 0 0 2px var(--pencil); background: var(--pencil-soft); }
+  .tile.add { border: 1.5px dashed var(--edge); box-shadow: none; }
+  .tile :is(.pick:hover), .tile.add:hover { background: var(--sunken); }
+  .tile .off { position: absolute; right: -0.625rem; top: -0.625rem; background: none; }
+  .tile .off .icon { width: 1.25rem; height: 1.25rem; padding: 0.1875rem; border-radius: 50%; background: var(--surface); box-shadow: 0 0 0 1.5px var(--edge); color: var(--ink-2); }
+  .outline { width: 3.5rem; height: 2.125rem; fill: none; stroke: currentColor; stroke-linecap: round; stroke-linejoin: round; }
+  .outline .front { stroke-width: 2; }
+  .outline .back { stroke-width: 1.25; opacity: 0.6; }
+  .outline .chord { stroke-width: 1.5; stroke-dasharray: 2 4; }
+  .segment.pictured button { display: flex; align-items: center; justify-content: center; gap: 0.375rem; white-space: nowrap; flex: 1 1 auto; }
+  .bends { list-style: none; margin: 0; padding: 0; }
+  .bends li { display: flex; align-items: center; min-height: 2.75rem; padding-left: 0.5rem; }
+  .bends li > b { flex: 1; font-weight: 600; white-space: nowrap; }
+  .bends li .b { color: var(--ink-2); }
+  .bends li.unseen > b { color: var(--ink-2); font-weight: 500; }
+  .bends .length { width: auto; padding: 0 0.75rem; height: 2.25rem; font: 600 0.75rem/1rem var(--font); white-space: nowrap; }
+  .detail { display: flex; align-items: center; border-top: 1px solid var(--hairline); margin-top: 0.5rem; padding-top: 0.25rem; }
+  .detail > div { flex: 1; }
+  .panel .detail h3 { color: var(--ink); font-size: 0.9375rem; min-height: 1.5rem; }
+  .detail small { display: block; padding: 0 0.5rem; font-size: 0.8125rem; line-height: 1.125rem; color: var(--ink-2); }
   .quiet-words { padding: 0.5rem; color: var(--ink-2); font-size: 0.8125rem; line-height: 1.125rem; }
   .name-field { display: flex; align-items: center; gap: 0.75rem; padding: 0 0.5rem; font: 600 0.8125rem/1.125rem var(--font); color: var(--ink-2); }
   .name-field input { flex: 1; min-width: 0; height: 2.75rem; padding: 0 0.75rem; border: 1.5px solid var(--edge); border-radius: 0.75rem; background: var(--surface); color: var(--ink); font: 600 0.9375rem/1.3125rem var(--font); user-select: text; -webkit-user-select: text; }

@@ -6,7 +6,7 @@ import { html, nothing, type PropertyDeclarations, type PropertyValues, type Tem
 import { draftIsWhole, draftSolids } from '../document/build.ts';
 import type { Scene } from '../scene/index.ts';
 import { isDark, lineColour, PAPER_COLOUR, pencilColour } from '../scene/look.ts';
-import { acrossCard, acrossLayout } from './acrossCard.ts';
+import { acrossCard, acrossLayout, CARD_WIDTH, hasAcrossCard } from './acrossCard.ts';
 import { actionsBar } from './actionsBar.ts';
 import { SketchApi } from './api.ts';
 import { bendCard } from './bendCard.ts';
@@ -45,6 +45,9 @@ import { tokens } from './tokens.ts';
 import { viewBall } from './viewBall.ts';
 import { drawInk } from './wetInk.ts';
 import { PART_WORDS, WORDS } from './words.ts';
+
+/** As in tokens.ts: darker than on tinted paper. */
+const CONTRAST_PENCIL = '#0033a8';
 
 /** Nothing in these changes the drawing where people may only look. */
 const LOOKING_PANELS: readonly PanelName[] = ['settings', 'menu', 'help'];
@@ -395,7 +398,10 @@ export class RotundSketch extends SketchApi {
       this.session,
       {
         ink: lineColour(background),
-        pencil: pencilColour(background),
+        pencil:
+          this.dataset.theme === 'contrast' && !isDark(background)
+            ? CONTRAST_PENCIL
+            : pencilColour(background),
         paper: PAPER_COLOUR[background],
         font: getComputedStyle(this).fontFamily,
       },
@@ -411,7 +417,9 @@ export class RotundSketch extends SketchApi {
     // a solid is not there at once
     const box = screenBox(meshes, view, size) ?? strokesBox(document.draft.strokes, view, size);
     const middle = { left: size.width / 2, right: size.width / 2, top: 80, bottom: 80 };
-    return chipPlace(box ?? middle, size, chipSize(document, size, showsBacks(this.session, this.open)));
+    const { width, height } = size;
+    const free = hasAcrossCard(this.session, this.open) ? { width: width - CARD_WIDTH, height } : size;
+    return chipPlace(box ?? middle, free, chipSize(document, size, showsBacks(this.session, this.open)));
   }
 
   // ── what the controls ask for ───────────────────────────────────────────────────────────────────────

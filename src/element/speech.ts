@@ -1,8 +1,8 @@
 /** What the status line says of a command; `document` is the one before it. Null: nothing worth saying. */
 import { itemsOf } from '../document/command/changeParts.ts';
-import { type Command, describe } from '../document/command/index.ts';
+import { apply, type Command, describe } from '../document/command/index.ts';
 import type { Document } from '../document/document.ts';
-import { keptWords } from './draftWords.ts';
+import { droppedWords, keptWords, previewWords } from './draftWords.ts';
 import { WORDS } from './words.ts';
 
 export function spoken(document: Document, command: Command): string | null {
@@ -10,7 +10,7 @@ export function spoken(document: Document, command: Command): string | null {
     case 'keep':
       return keptWords(document);
     case 'drop':
-      return WORDS.dropped;
+      return droppedWords(document);
     case 'removeLast':
       return deleted(
         document,
@@ -23,6 +23,8 @@ export function spoken(document: Document, command: Command): string | null {
       );
     case 'removeParts':
       return deleted(document, names(document, command.ids));
+    case 'recreate':
+      return previewWords(apply(document, command));
     case 'addStroke':
     case 'setForm':
     case 'setTubesOnly':

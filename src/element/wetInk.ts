@@ -14,6 +14,7 @@ import type { Stroke } from '../stroke/stroke.ts';
 import type { Band, Pen, Wet } from '../tool/tool.ts';
 import { drawMarks } from './marks.ts';
 import type { Session } from './session.ts';
+import { surfaceMarks } from './surfaceMarks.ts';
 
 export interface InkColours {
   readonly ink: string;
@@ -51,16 +52,22 @@ export function drawInk(
     drawAxis(context, lines[0]!, lines[1]!, colours);
   for (const line of lines) drawLine(context, line, colours.ink);
   const across = draftSections(session);
-  for (const line of across) drawLine(context, line, colours.ink);
+  for (const { line, isBack } of across) {
+    // what lies behind is drawn behind
+    context.globalAlpha = isBack ? 0.45 : 1;
+    drawLine(context, line, colours.ink);
+    context.globalAlpha = 1;
+  }
   // outlines are not counted
   if (readingOf(session.document) !== 'solid') {
     for (const i of lines.keys()) drawNumber(context, i, lines, colours);
-    for (const [i, line] of across.entries()) drawSectionNumber(context, lines.length + i + 1, line, colours);
+    for (const [i, { line, isBack }] of across.entries())
+      drawSectionNumber(context, lines.length + i + 1, isBack ? [...line].reverse() : line, colours);
   }
   for (const mark of session.notice?.marks ?? []) drawMark(context, mark, session, colours);
   if (session.state.wet) drawWet(context, session.state.wet, predicted, colours);
   const { marks = session.state.marked?.(session) } = session.state;
-  if (marks) drawMarks(context, marks, session, colours);
+  drawMarks(context, [...surfaceMarks(session), ...(marks ?? [])], session, colours);
   if (session.state.band) drawBand(context, session.state.band, colours);
 }
 
@@ -125,17 +132,23 @@ function dried(stroke: Stroke, brush: Brush, { view, size }: Session, placement 
   return dots;
 }
 
+interface SectionInk {
+  readonly line: readonly Dot[];
+  readonly isBack: boolean;
+}
+
 /** Sections as they were drawn, but for their ends, which are where the surface has them. */
-function draftSections({ document, view, size }: Session): readonly (readonly Dot[])[] {
+function draftSections({ document, view, size }: Session): readonly SectionInk[] {
   const { draft, brush } = document;
   const pair = draft?.sections && pairOf(draft.strokes, brush);
   if (!pair) return [];
-  return sectionCurves(draft.sections ?? [], pair, brush).map(({ points, pressure }) =>
-    points.flatMap((p, i) => {
+  return sectionCurves(draft.sections ?? [], pair, brush).map(({ points, pressure, isBack }) => ({
+    isBack,
+    line: points.flatMap((p, i) => {
       const at = project(view, size, toWorld(draft.strokes[0]!.plane, p));
       return at ? [{ x: at[0], y: at[1], pressure: pressure[i]! }] : [];
     }),
-  );
+  }));
 }
 
 /** One filled outline, as wide as the pen was pressed: overlapping strokes would show their joints as beads. */
@@ -271,7 +284,7 @@ function drawNumber(
   writeNumber(context, index + 1, [x, y], colours);
 }
 
-/** Beyond its start. */
+/** Beyond its start, outside of the ring that shows where the pen is near; of a back beyond its end, where nothing is yet. */
 function drawSectionNumber(
   context: CanvasRenderingContext2D,
   number: number,
@@ -281,7 +294,7 @@ function drawSectionNumber(
   const [start, end] = [line[0], line.at(-1)];
   if (!start || !end) return;
   const length = distance(start, end) || 1;
-  const by = 26 / length;
+  const by = 36 / length;
   writeNumber(context, number, [start.x + by * (start.x - end.x), start.y + by * (start.y - end.y)], colours);
 }
 

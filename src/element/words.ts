@@ -218,6 +218,8 @@ export const PART_WORDS = {
     z: 'Move along Z',
     surface: 'Slide over the surface',
     turn: 'Turn about the line of sight',
+    turnX: 'Tip forward and back',
+    turnY: 'Turn to the left and right',
     scale: 'Make it larger or smaller',
   },
   action: {
@@ -227,6 +229,50 @@ export const PART_WORDS = {
     duplicate: 'Duplicate',
     remove: 'Delete',
   },
+} as const;
+
+/** Words of surfaces in their card. */
+export const SURFACE_WORDS = {
+  sections: 'Sections',
+  sectionsOf: (name: string) => `Sections of ${name}`,
+  at: (percent: number) => `at ${percent} %`,
+  light: (at: string) => `Section ${at}: show it on the form`,
+  remove: (what: string) => `Remove ${what.startsWith('at') ? `the section ${what}` : what}`,
+  draw: 'Draw one',
+  between: 'Between sections',
+  betweens: {
+    cubic: { name: 'Smooth', hint: 'Sections flow over into each other' },
+    linear: { name: 'Straight', hint: 'Sections go over into each other in a straight line' },
+    plain: { name: 'Plain', hint: 'Points joined as they are, without a spline' },
+  },
+  bends: 'Bends',
+  bend: (number: number) => `Bend ${number}`,
+  bendOn: (bend: string) => `Put ${bend} in force`,
+  bendOff: (bend: string) => `Leave out ${bend}`,
+  redrawBend: (bend: string) => `Draw ${bend} anew`,
+  length: { kept: 'Length kept', stretched: 'Stretched' },
+  lengthHint: 'Whether the part keeps its length, or reaches as far as what was drawn',
+  detail: 'Detail',
+  coarser: 'Coarser',
+  finer: 'Finer',
+  editDetail: 'Edit detail',
+  autoRows: 'As many rows as it needs',
+  autoRowsHint: 'Rows of the control mesh follow the outline; refining never moves the strokes',
+  parts: {
+    rows: { name: 'Rows', hint: 'Spans of the control mesh along the form' },
+    columns: { name: 'Columns', hint: 'Spans of the control mesh across' },
+    u: { name: 'Subdivisions along', hint: 'How often each span along the form is halved' },
+    v: { name: 'Subdivisions across', hint: 'How often each span across is halved' },
+  },
+  mesh: 'Show control mesh',
+  meshHint: 'The control mesh of patches, and strokes with their control points',
+} as const;
+
+/** Words of radii that are drawn. */
+export const SIZE_WORDS = {
+  draw: 'Draw it',
+  hint: 'Draw a line of that length, or a circle of that radius',
+  brush: (mm: number) => `${mm} mm: draw the radius`,
 } as const;
 
 /** Words of what surfaces do with light. */
@@ -278,6 +324,14 @@ export const METER_WORDS = {
       bspline: state === 'next' ? 'Draw a second section (L)' : 'From section to section',
     }[step];
   },
+} as const;
+
+/** A part whose strokes are in hand again. */
+export const RECREATE_WORDS = {
+  inHand: 'its strokes in hand',
+  said: (name: string) => `${name}, its strokes in hand`,
+  kept: (name: string) => `${name}, as it is drawn now`,
+  dropped: (name: string) => `${name} is as it was`,
 } as const;
 
 /** Sections across a form. */
@@ -445,6 +499,7 @@ export const SOLID_WORDS = {
   noPaste: 'There is nothing of a drawing to paste',
   handle: { turn: 'Turn', scale: 'Scale' },
   turnHint: 'Drag around, with Shift in steps of 15°; arrow keys 1°, with Shift 10°.',
+  tiltHint: 'Drag up and down, or to the sides, with Shift in steps of 15°; arrow keys 1°, with Shift 10°.',
   scaleHint: 'Drag outward, with Shift in steps of 10 %; arrow keys 1 %, with Shift 10 %.',
 } as const;
 

@@ -1,7 +1,7 @@
 /**
  * Rows of control points along u (thesis fig. 5.15: too few of them miss the construction curves).
  *
- * Pieces end at stops and at sections, so that every section is a row. The issue of how many: 16 in all, and wherever the spline
+ * Pieces end at stops and at sections, so that every section is a row. There are 16 in all, and wherever the spline
  * misses a curve by more than 0.5 % of the chord there, its piece is halved again and again; a tip that was drawn with a
  * small hook costs rows at the tip alone. Pieces meet with one derivative. Tried: doubling all rows; 256 of them still miss
  * the tips of a leaf drawn by hand by 11 % of their chord.

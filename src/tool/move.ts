@@ -1,6 +1,6 @@
 /**
  * Move: parts and groups of solids follow the pen in the view plane, along an axis, or over the surface that lies under them; they turn
- * about the line of sight, and grow.
+ * about the line of sight and about the screen's other two axes (thesis fig. A.6), and grow.
  *
  * Over a surface: the foot is the point of the other parts nearest to the middle of the moved ones when it can be
  * seen, else what is seen behind that middle. The foot goes where the pen takes it, and the parts turn by the
@@ -16,11 +16,13 @@ import { add3, cross2, dot2, dot3, length2, rotate3, scale3, sub3 } from '../mat
 import type { Vec2, Vec3 } from '../math/vec.ts';
 import { facingPlane, onPlane, project, rayAt, toWorld } from '../stroke/plane.ts';
 import { type Foot, footOf } from './foot.ts';
-import type { Bench, Carried, Pen, State } from './tool.ts';
+import type { Bench, Carried, Pen, ScreenAxis, State } from './tool.ts';
 import type { Viewport } from './viewport.ts';
 
 /** What the parts are taken by. */
-export type Handle = 'view' | 'x' | 'y' | 'z' | 'surface' | 'turn' | 'scale';
+export type Handle = 'view' | 'x' | 'y' | 'z' | 'surface' | 'turn' | 'turnX' | 'turnY' | 'scale';
+
+const SCREEN: Partial<Record<Handle, ScreenAxis>> = { turnX: 'x', turnY: 'y' };
 
 export const AXIS: Readonly<Record<'x' | 'y' | 'z', Vec3>> = { x: [1, 0, 0], y: [0, 1, 0], z: [0, 0, 1] };
 
@@ -28,7 +30,7 @@ export const AXIS: Readonly<Record<'x' | 'y' | 'z', Vec3>> = { x: [1, 0, 0], y: 
 const END_ON = 0.02;
 
 /** Where the parts are taken; each report of the pen gives the next one. */
-interface Way extends Pick<Carried, 'by' | 'degrees' | 'factor'> {
+interface Way extends Pick<Carried, 'by' | 'degrees' | 'about' | 'factor'> {
   to(pen: Pen, viewport: Viewport): Way;
 }
 
@@ -90,14 +92,20 @@ function resting(
 }
 
 function carrying(ids: readonly string[], about: Vec3, way: Way, back: State): State {
-  const { by, degrees, factor = 1 } = way;
+  const { by, degrees, about: axis, factor = 1 } = way;
   const command: Command =
     factor === 1 ? { type: 'moveParts', ids, by } : { type: 'scaleParts', ids, factor, about };
   let shown: Document | null = null;
   return {
     name: 'move.carrying',
     still: true,
-    carried: { ids, by, ...(degrees !== undefined && { degrees }), ...(way.factor && { factor }) },
+    carried: {
+      ids,
+      by,
+      ...(degrees !== undefined && { degrees }),
+      ...(axis && { about: axis }),
+      ...(way.factor && { factor }),
+    },
     preview: (bench) => (shown ??= apply(bench.document, command)),
     move(pens, bench) {
       const pen = pens.at(-1);
@@ -115,6 +123,8 @@ function wayOf(handle: Handle, ids: readonly string[], point: Vec3, pen: Pen, be
   const foot = handle === 'surface' ? footOf(bench, ids, point) : null;
   if (foot) return overSurface(foot, pen, bench.viewport, ids);
   if (handle === 'turn') return turning(point, pen, bench.viewport);
+  const axis = SCREEN[handle];
+  if (axis) return tilting(axis, point, pen);
   if (handle === 'scale') return growing(point, pen, bench.viewport);
   return handle === 'x' || handle === 'y' || handle === 'z'
     ? alongAxis(AXIS[handle], point, pen, bench.viewport)
@@ -203,9 +213,33 @@ function turning(point: Vec3, start: Pen, viewport: Viewport): Way {
       if (!from || !to) return at(by, degrees);
       const turned = (atan2(cross2(from, to), dot2(from, to)) * 180) / PI;
       const whole = pen.adds ? SNAP.turn * Math.round(turned / SNAP.turn) : turned;
-      const half = (whole * PI) / 360;
-      const [x, y, z] = scale3(rotate3(now.view.rotation, [0, 0, 1]), sin(half));
-      return at(whole === 0 ? UNMOVED : turnAbout(point, [x, y, z, cos(half)]), whole);
+      return at(turnedBy(whole, [0, 0, 1], point, now), whole);
+    },
+  });
+  return at(UNMOVED, 0);
+}
+
+/** About an axis of the screen through a point, degrees. */
+function turnedBy(degrees: number, axis: Vec3, point: Vec3, { view }: Viewport): Placement {
+  if (degrees === 0) return UNMOVED;
+  const half = (degrees * PI) / 360;
+  const [x, y, z] = scale3(rotate3(view.rotation, axis), sin(half));
+  return turnAbout(point, [x, y, z, cos(half)]);
+}
+
+/** degrees for a px of the pen's way: 180° are a hand's breadth */
+export const TILT = 0.5;
+
+/** About the screen's x or y through the point: what is near goes with the pen, up and down or to the sides. */
+function tilting(axis: ScreenAxis, point: Vec3, start: Pen): Way {
+  const at = (by: Placement, degrees: number): Way => ({
+    by,
+    degrees,
+    about: axis,
+    to(pen, now) {
+      const turned = TILT * (axis === 'x' ? pen.y - start.y : pen.x - start.x);
+      const whole = pen.adds ? SNAP.turn * Math.round(turned / SNAP.turn) : turned;
+      return at(turnedBy(whole, AXIS[axis], point, now), whole);
     },
   });
   return at(UNMOVED, 0);
@@ -243,12 +277,20 @@ export function penBeside(
 ): Vec2 | null {
   const { view, size } = viewport;
   if (handle === 'turn' || handle === 'scale') return penAround(viewport, handle, point, right, up);
+  const axis = SCREEN[handle];
+  if (axis)
+    return penBy(viewport, point, axis === 'x' ? [0, -(right + up) / TILT] : [(right + up) / TILT, 0]);
   const plane = facingPlane(view, point);
   const to =
     handle === 'x' || handle === 'y' || handle === 'z'
       ? add3(point, scale3(AXIS[handle], right + up))
       : toWorld(plane, [right, up]);
   return project(view, size, to);
+}
+
+function penBy({ view, size }: Viewport, point: Vec3, [x, y]: Vec2): Vec2 | null {
+  const at = project(view, size, point);
+  return at && [at[0] + x, at[1] + y];
 }
 
 /** px: any distance does */

@@ -72,13 +72,17 @@ export interface Band {
   readonly to: Pen;
 }
 
+/** To the right, and up. */
+export type ScreenAxis = 'x' | 'y';
+
 /** Parts that hang on the pen. */
 export interface Carried {
   readonly ids: readonly string[];
   /** where they have come from where they are */
   readonly by: Placement;
-  /** of a turn, degrees counter-clockwise; of a scaling, what all is multiplied by */
+  /** of a turn, degrees counter-clockwise, or as the pen goes about the screen's own x or y; of a scaling, what all is multiplied by */
   readonly degrees?: number;
+  readonly about?: ScreenAxis;
   readonly factor?: number;
 }
 

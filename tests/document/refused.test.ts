@@ -96,11 +96,11 @@ describe('what is wrong is said in one sentence', () => {
     ],
     [
       part('"brush":[]'),
-      'Pear.rotund, document.parts[0].brush: expected an object with colour, radius, pressure, caps, filter, levels, found an empty list',
+      'Pear.rotund, document.parts[0].brush: expected an object with colour, radius, pressure, caps, filter, levels, finish, found an empty list',
     ],
     [
       part('"brush":{"radus":3}'),
-      'Pear.rotund, document.parts[0].brush: expected only the fields colour, radius, pressure, caps, filter, levels, found "radus"',
+      'Pear.rotund, document.parts[0].brush: expected only the fields colour, radius, pressure, caps, filter, levels, finish, found "radus"',
     ],
     [
       part('"__proto__":{"hidden":true}'),

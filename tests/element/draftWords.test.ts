@@ -4,9 +4,11 @@ import { apply, type Command } from '../../src/document/command/index.ts';
 import { type Document, EMPTY_DOCUMENT } from '../../src/document/document.ts';
 import { chipSize, formChoices } from '../../src/element/chip.ts';
 import {
+  droppedWords,
   fact,
   joinWord,
   keptWords,
+  lacksBack,
   previewWords,
   shortName,
   startedOn,
@@ -81,4 +83,59 @@ it('the chip is as wide as its choices', () => {
   const [line, outline] = widths.map((document) => chipSize(document, { width: 1200, height: 800 }));
   expect(outline!.width).toBeGreaterThan(line!.width);
   expect(chipSize(widths[1]!, { width: 800, height: 800 }).width).toBeLessThan(outline!.width);
+});
+
+describe('a surface with sections', () => {
+  const side = (x: number) => strokeAlong((t) => [x, 60 * t]);
+  const across = (y: number) => strokeAlong((t) => [-20 + 40 * t, y - 20 * t * (1 - t)]);
+  const add = (u: number): Command => ({
+    type: 'addSection',
+    u,
+    drawn: { stroke: across(60 * u), half: null },
+  });
+  const one = after(
+    { type: 'addStroke', stroke: side(-20) },
+    { type: 'addStroke', stroke: side(20) },
+    add(0.58),
+  );
+
+  it('says where its one section is, or how many there are', () => {
+    expect([previewWords(one), shortName(one), fact(one)]).toEqual([
+      'Section surface, preview',
+      'Section surface',
+      'section at 58 %',
+    ]);
+    const two = apply(one, add(0.2));
+    expect([previewWords(two), shortName(two), fact(two)]).toEqual([
+      'Patch, preview, 2 sections',
+      'Patch',
+      '2 sections',
+    ]);
+    const back = apply(two, { type: 'setForm', form: 'rotational' });
+    expect([shortName(back), fact(back)]).toEqual(['Rotational', '2 strokes']);
+  });
+
+  it('lacks a back of its own until that is drawn', () => {
+    expect(lacksBack(one)).toBe(false);
+    const drawn = apply(one, { type: 'setSurface', change: { back: 'drawn' } });
+    expect(lacksBack(drawn)).toBe(true);
+    expect(lacksBack(apply(drawn, { ...add(0.58), side: 'back' } as Command))).toBe(false);
+  });
+
+  it('is called by its name while its strokes are in hand', () => {
+    const kept = after(
+      { type: 'addStroke', stroke: side(-20) },
+      { type: 'addStroke', stroke: side(20) },
+      { type: 'keep' },
+      { type: 'renamePart', id: 'part-1', name: 'Leaf' },
+      { type: 'recreate', id: 'part-1' },
+    );
+    expect([previewWords(kept), shortName(kept), fact(kept)]).toEqual([
+      'Leaf, its strokes in hand',
+      'Leaf',
+      'its strokes in hand',
+    ]);
+    expect(keptWords(kept)).toBe('Leaf, as it is drawn now');
+    expect(droppedWords(kept)).toBe('Leaf is as it was');
+  });
 });

@@ -39,6 +39,8 @@ describe('the handles', () => {
       'y',
       'surface',
       'turn',
+      'turnY',
+      'turnX',
       'scale',
     ]);
   });

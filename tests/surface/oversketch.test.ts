@@ -4,7 +4,6 @@ import { distance2, length2, sub2 } from '../../src/math/tuple.ts';
 import type { Vec2 } from '../../src/math/vec.ts';
 import { functionCurve, polylineCurve } from '../../src/stroke/arcLength.ts';
 import type { Curve } from '../../src/stroke/curve.ts';
-import { acrossChord, inHalfChords } from '../../src/surface/inChord.ts';
 import type { Outline } from '../../src/surface/outline.ts';
 import { nearestV, redrawn } from '../../src/surface/oversketch.ts';
 import { line, polygon, reversed, smoothStroke } from './curves.ts';
@@ -255,18 +254,6 @@ describe('oversketch', () => {
       ),
       { numRuns: 60 },
     );
-  });
-
-  test('strokes on the section and across it, in half chords', () => {
-    const drawn = line([-10, 0], [0, 5], [10, 0]);
-    expect(inHalfChords(drawn, 10).point(0.5)).toEqual([expect.closeTo(0), expect.closeTo(0.5)]);
-    // the chord runs up: its right-hand side is that of larger x
-    const across = acrossChord(line([0, 10], [5, 20], [0, 30]), [0, 10], [0, 30]);
-    expect(across.point(0)).toEqual([expect.closeTo(-1), expect.closeTo(0)]);
-    expect(across.point(0.5)).toEqual([expect.closeTo(0), expect.closeTo(0.5)]);
-    expect(across.length).toBeCloseTo(2 * Math.sqrt(1.25), 9);
-    const tangent = across.tangent(0.25);
-    expect(tangent[1]! / tangent[0]!).toBeCloseTo(0.5, 9);
   });
 });
 

@@ -135,13 +135,17 @@ for (const [name, curves] of Object.entries(PAIRS)) {
         for (const between of ['cubic', 'linear', 'plain'] as const) {
           for (const rows of [1, 5, null]) {
             const sheet = patch(curves, sections, { between, rows, columns: rows ?? 12 });
+            const count = sheet.columns.vs.length;
+            let [far, off] = [0, 0];
             for (const row of sheet.rows) {
-              expect(row.points).toHaveLength(3 * sheet.columns.vs.length);
-              sheet.columns.vs.forEach((_, j) => {
-                expect(length3(at(row, j))).toBeLessThan(1e4);
-                expect(length3(at({ points: row.normals }, j))).toBeCloseTo(1, 9);
-              });
+              expect(row.points).toHaveLength(3 * count);
+              for (let j = 0; j < count; j++) {
+                // so that NaN counts
+                if (!(length3(at(row, j)) < 1e4)) far++;
+                if (!(Math.abs(length3(at({ points: row.normals }, j)) - 1) < 1e-9)) off++;
+              }
             }
+            expect([far, off]).toEqual([0, 0]);
           }
         }
       });
@@ -289,7 +293,8 @@ describe('creases', () => {
       const sheet = patch(PAIRS['a corner on one side']!, sections, { between, rows: null });
       const source = sourceOf({ curves: PAIRS['a corner on one side']!, radius: 10, pressure: false });
       const { left, right } = source.stand(source.stops[1]!.u, 1);
-      const found = creases(sheetMesh(sheet, FLAT), 0.999);
+      // tips, at y = ± 50, have a normal for every column
+      const found = creases(sheetMesh(sheet, FLAT), 0.999).filter(([, y]) => Math.abs(y) < 49.99);
       expect(found.length).toBeGreaterThan(8);
       // on the chord through the corner
       for (const [x, y] of found) {

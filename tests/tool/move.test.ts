@@ -236,6 +236,28 @@ describe('the ring', () => {
     expect(hand.document.parts[1]!.placement.rotation).toEqual([0, 0, 0, 1]);
   });
 
+  it.each(SEEDS)(
+    'tips parts about the screen’s own axes, and what is near goes with the pen (seed %i)',
+    (seed) => {
+      for (const [handle, dx, dy] of [
+        ['turnX', 0, 60],
+        ['turnY', 60, 0],
+      ] as const) {
+        const { hand, middle, at } = held(seed);
+        take(hand, handle, at);
+        hand.move(at[0] + dx, at[1] + dy);
+        const by = carriedBy(hand);
+        expectNear(place3(by, middle), middle);
+        expect(hand.state.carried).toMatchObject({ degrees: 30, about: handle === 'turnX' ? 'x' : 'y' });
+        // 10 mm before the middle, as one looks: half of that to the side, or down
+        const ahead = rotate3(hand.view.rotation, [0, 0, 10]);
+        const to = place3(by, [middle[0] + ahead[0], middle[1] + ahead[1], middle[2] + ahead[2]]);
+        const wanted = rotate3(hand.view.rotation, [dx > 0 ? 5 : 0, dy > 0 ? -5 : 0, 10 * Math.sqrt(0.75)]);
+        expectNear(to, [middle[0] + wanted[0], middle[1] + wanted[1], middle[2] + wanted[2]]);
+      }
+    },
+  );
+
   it('turns in steps of 15° with Shift, and grows in tenths', () => {
     const { hand, at } = held(3);
     const adds = (place: Vec2) => {

@@ -1,5 +1,6 @@
 /** Drawing across: two sides 200 px apart, x = 300 and 500, drawn from y = 100 down to 500; a pixel is a third of a millimetre. */
 import { beforeEach, describe, expect, it } from 'vitest';
+import { draftSolids } from '../../src/document/build.ts';
 import { isSurface, readingOf } from '../../src/document/document.ts';
 import { placedStroke } from '../../src/document/placedStroke.ts';
 import type { Vec3 } from '../../src/math/vec.ts';
@@ -357,4 +358,29 @@ it('what the guide shows is what the surface is made with: its u moves with the 
   const right = a![0] > b![0] ? a! : b!;
   // a quarter of the way down on both
   expect(right[1]).toBeCloseTo(250, -1);
+});
+
+describe('what the guide says comes true', () => {
+  const turn = (points: readonly Point[], quarter: boolean) =>
+    points.map(([x, y]): Point => (quarter ? [400 + (y - 300), 300 - (x - 400)] : [x, y]));
+
+  for (const quarter of [false, true])
+    for (const first of [LEFT, [...LEFT].reverse(), RIGHT, [...RIGHT].reverse()])
+      it(`full comes towards the person, hollow goes away (${first.join(' to ')}, ${quarter ? 'lying' : 'upright'})`, () => {
+        for (const side of ['full', 'hollow'] as const) {
+          hand = new Driver();
+          hand.draw(turn(first, quarter));
+          hand.draw(turn(first[0]![0] === 300 ? RIGHT : LEFT, quarter));
+          take();
+          hand.hover(...turn([[300, 300]], quarter)[0]!);
+          hand.draw(lineOf(side).map(([x, y]): Point => [x, y]));
+          expect(sections()).toHaveLength(1);
+          const [solid] = draftSolids(hand.document);
+          const zs = [...solid!.mesh.positions].filter((_, i) => i % 3 === 2);
+          const [least, most] = [Math.min(...zs), Math.max(...zs)];
+          const deep = 0.44 * (100 / 3);
+          expect(side === 'full' ? most : -least).toBeGreaterThan(0.9 * deep);
+          expect(side === 'full' ? -least : most).toBeLessThan(0.05 * deep);
+        }
+      });
 });

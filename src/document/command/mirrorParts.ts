@@ -7,7 +7,7 @@ import type { Stroke } from '../../stroke/stroke.ts';
 import { isBody, isSolid, type Part } from '../document.ts';
 import { isFormInReach, isGroupInReach } from '../inReach.ts';
 import { type Group, groupsOf, withGroups } from '../solid.ts';
-import { withStrokes } from '../surfacePart.ts';
+import { type Section, type SectionStroke, withStrokes } from '../surfacePart.ts';
 import { changeParts, nameOf } from './changeParts.ts';
 import type { CommandKind } from './index.ts';
 
@@ -51,7 +51,10 @@ function mirrored(part: Part, mirror: Mirror): Part {
   }
   const isFlat = part.sections.length === 0 && part.bends.length === 0;
   const next = withStrokes(part, (stroke) => (isFlat ? mirroredStroke : turnedOver)(stroke, mirror));
-  return isFormInReach(next) ? next : part;
+  // of closed pairs the first is the left one, however they are seen
+  const isRing = part.strokes.length > 1 && part.strokes[0]!.closed;
+  const whole = isRing ? { ...next, sections: next.sections.map(swappedSection) } : next;
+  return isFormInReach(whole) ? whole : part;
 }
 
 /** What is in front stays in front: instead of the plane's normal its x axis is turned over, and what was drawn with it. */
@@ -59,9 +62,32 @@ function turnedOver(stroke: Stroke, mirror: Mirror): Stroke {
   const { plane, samples, ...rest } = mirroredStroke(stroke, mirror);
   return {
     ...rest,
-    samples: samples.map((sample) => ({ ...sample, x: -sample.x })),
+    samples: samples.map((sample) => ({ ...sample, x: 0 - sample.x })),
     plane: { ...plane, x: scale3(plane.x, -1) },
   };
+}
+
+/** Left and right of its chord swapped once more: it runs from the same stroke to the same one as before. */
+const swappedSection = (section: Section): Section => ({
+  ...section,
+  front: section.front && swapped(section.front),
+  back: section.back && swapped(section.back),
+  redraws: section.redraws.map(swapped),
+});
+
+function swapped<D extends SectionStroke>(drawn: D): D {
+  const { samples } = drawn.stroke;
+  const [first, last] = [samples[0]!, samples.at(-1)!];
+  // on its own plane the chord's middle stays; across, the chord
+  const [dx, dy] = drawn.half === null ? [last.x - first.x, last.y - first.y] : [0, 1];
+  const from = drawn.half === null ? first : { x: 0, y: 0 };
+  const squared = dx * dx + dy * dy;
+  const k = squared > 0 ? 2 / squared : 0;
+  const over = samples.map((sample) => {
+    const off = k * (dx * (sample.y - from.y) - dy * (sample.x - from.x));
+    return { ...sample, x: sample.x + off * dy, y: sample.y - off * dx };
+  });
+  return { ...drawn, stroke: { ...drawn.stroke, samples: over } };
 }
 
 /** Maps of maps are one. */
