@@ -80,7 +80,7 @@ test('Escape drops a bend and brings the camera back', async ({ page }) => {
   expect(await view(page)).toEqual(home);
 });
 
-test('a section is lit where the pen hovers, and drawn over; an outline from the front', async ({ page }) => {
+test('a section is lit where the pen hovers, and drawn over', async ({ page }) => {
   const [x, y] = await open(page);
   await page.keyboard.press('o');
   await page.mouse.move(x, y + 2);
