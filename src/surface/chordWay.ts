@@ -17,11 +17,11 @@ export type Chord = (u: number) => { readonly left: Vec2; readonly right: Vec2 }
 
 /** Chords run from q_l to q_r to the left, in the mean. Mirrored forms answer alike. */
 export function runsLeft(chord: Chord): boolean {
-  let [x, y, length] = [0, 0, 0];
+  let x = 0;
+  let length = 0;
   for (let i = 0; i < LOOKS; i++) {
     const { left, right } = chord((i + 0.5) / LOOKS);
     x += right[0] - left[0];
-    y += right[1] - left[1];
     length += distance2(left, right);
   }
   return x < -UPRIGHT * length;
