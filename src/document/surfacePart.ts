@@ -60,7 +60,7 @@ export interface Bend {
 export interface Detail {
   /** along the construction curves; null: as many as they need */
   readonly rows: number | null;
-  /** across, per section */
+  /** across, of a section that goes round once; more of one that turns more (surface/turning.ts) */
   readonly columns: number;
   /** subdivisions along and across */
   readonly u: number;

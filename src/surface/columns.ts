@@ -1,8 +1,12 @@
-/** An outline cut into the columns of a grid: even in v between its corners, which become creases along the surface. */
+/**
+ * An outline cut into the columns of a grid: even in v between its corners, which become creases along the surface; more of them
+ * where it turns much (turning.ts).
+ */
 import type { Vec2 } from '../math/vec.ts';
 import type { Columns } from '../mesh/grid.ts';
 import type { Outline } from './outline.ts';
 import { pieces } from './rows.ts';
+import { leastPieces, turnOf } from './turning.ts';
 
 export interface OutlineColumns extends Columns {
   readonly closed: boolean;
@@ -14,6 +18,8 @@ export interface OutlineColumns extends Columns {
 
 /** v nearer than this are one */
 const SAME = 1e-9;
+/** quads turn through at most so many times the angle of a circle's */
+const COARSER = 2.5;
 
 /** About `quads` quads; q_l and q_r are always entries. */
 export function columnsOf(outline: Outline, quads: number): OutlineColumns {
@@ -26,7 +32,9 @@ export function columnsOf(outline: Outline, quads: number): OutlineColumns {
   const joined: boolean[] = [];
   const sides: (-1 | 1)[] = [];
   const least = closed ? Math.ceil(3 / (stops.length - 1)) : 1;
-  for (const piece of pieces(stops, quads, () => least)) {
+  const turns = stops.slice(1).map((to, i) => turnOf(outline.point, stops[i]!, to));
+  const needed = leastPieces(turns, quads, COARSER);
+  for (const piece of pieces(stops, quads, (i) => Math.max(least, needed[i]!))) {
     piece.forEach((v, k) => {
       // a stop that is no corner is one entry, not two
       if (k === 0 && vs.length > 0 && !isCorner(v)) return;

@@ -7,6 +7,7 @@ import { type Between, type Mix, mixOf } from './between.ts';
 import { type KnotPiece, knotPieces } from './knots.ts';
 import type { Outline } from './outline.ts';
 import type { Source } from './source.ts';
+import { leastPieces, turnOf } from './turning.ts';
 
 /** A section where it stands. */
 export interface PlacedOutline {
@@ -67,11 +68,20 @@ export function formsOf({ pieces }: Alike, sections: number): number[][] {
   );
 }
 
-/** Creases, q_l and q_r are columns. */
+/** control spans turn through at most so many times the angle of a circle’s: 28° by default */
+const COARSER = 1.25;
+
+/** Creases, q_l and q_r are columns; where a section turns much there are more. */
 function acrossOf({ closed, seamless, pieces }: Alike, columns: number): KnotPiece[] {
   const breaks = [...pieces.map(({ from }) => from), pieces[pieces.length - 1]!.to];
   // a ring of one piece needs three columns, and an even number has q_r in the middle
   const least = seamless ? 4 : closed && pieces.length === 1 ? 3 : 1;
-  const wish = seamless ? 2 * Math.ceil(columns / 2) : columns;
-  return knotPieces(breaks, closed ? [0.5, 1, 1.5] : [], wish, () => least);
+  const even = (count: number): number => (seamless ? 2 * Math.ceil(count / 2) : count);
+  const turns = pieces.map(({ from, to, along }) =>
+    Math.max(...along.map(({ point }) => turnOf(point, from, to))),
+  );
+  const needed = leastPieces(turns, columns, COARSER);
+  return knotPieces(breaks, closed ? [0.5, 1, 1.5] : [], even(columns), (i) =>
+    even(Math.max(least, needed[i]!)),
+  );
 }
