@@ -40,6 +40,7 @@ export interface SectionLoop {
 }
 
 interface Derived {
+  readonly kind: SurfaceKind;
   readonly form: SurfaceForm;
   readonly brush: Brush;
   readonly sheet: Sheet;
@@ -53,7 +54,8 @@ const derived = new WeakMap<SurfaceForm['strokes'], Derived>();
 function derivedOf({ kind, form, brush }: Seen): Derived | null {
   const known = derived.get(form.strokes);
   const isKnown =
-    known?.brush === brush &&
+    known?.kind === kind &&
+    known.brush === brush &&
     known.form.sections === form.sections &&
     known.form.bends === form.bends &&
     known.form.back === form.back &&
@@ -65,7 +67,7 @@ function derivedOf({ kind, form, brush }: Seen): Derived | null {
   if (!sheet || curves.length < form.strokes.length) return null;
   const drawing = form.strokes[0]!.plane;
   const bends = form.bends.flatMap((bend) => (bend.isOff ? [] : bendOf(bend, drawing, brush)));
-  const found = { form, brush, sheet, source: sourceOf({ ...brush, curves }), bends };
+  const found = { kind, form, brush, sheet, source: sourceOf({ ...brush, curves }), bends };
   derived.set(form.strokes, found);
   return found;
 }
