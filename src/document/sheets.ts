@@ -78,8 +78,16 @@ export function sheetOf(
   resolution: Resolution | null = null,
 ): Sheet | null {
   const straight = unbent(kind, form, brush, resolution);
-  return straight && bendsOf(form, brush).reduce(deform, straight);
+  if (!straight || form.bends.length === 0) return straight;
+  const known = bent.get(straight);
+  if (known?.bends === form.bends) return known.sheet;
+  const sheet = bendsOf(form, brush).reduce(deform, straight);
+  bent.set(straight, { bends: form.bends, sheet });
+  return sheet;
 }
+
+/** Of each sheet with the bends it had last; what those depend on beside their list, the sheet does, too. */
+const bent = new WeakMap<Sheet, { readonly bends: SurfaceForm['bends']; readonly sheet: Sheet }>();
 
 function unbent(
   kind: SurfaceKind,
