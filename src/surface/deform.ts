@@ -13,7 +13,7 @@ import { type Bending, moveAt, moveNormal, movePoint, moveStation } from './bend
 import { type BendPath, bendPath } from './bendPath.ts';
 import { creased, SAME } from './creased.ts';
 import { mitres } from './mitres.ts';
-import type { RowAt, Sheet, SheetRow, Spine } from './sheet.ts';
+import type { RowAt, Sheet, SheetRow, Spine, Station } from './sheet.ts';
 import { sideView } from './sideView.ts';
 
 export interface BendInput {
@@ -70,12 +70,18 @@ function insideOf({ stops }: Spine, { u, side }: RowAt): -1 | 1 {
   return u >= stops[stops.length - 1]! ? -1 : side;
 }
 
+/** Stations are kept: each bend asks for places that the next one asks for again, which multiplies from bend to bend (four: 559 ms, kept 131). */
 function bentSpine(spine: Spine, bending: Bending): Spine {
   const first = spine.stops[0]!;
   const last = spine.stops[spine.stops.length - 1]!;
+  const known = [new Map<number, Station>(), new Map<number, Station>()] as const;
   const at: Spine['at'] = (u, side) => {
     const inward = u <= first ? 1 : u >= last ? -1 : side;
-    return moveStation(moveAt(bending, u, inward), bending.view, spine.at(u, inward));
+    const stations = known[inward === 1 ? 1 : 0];
+    const found =
+      stations.get(u) ?? moveStation(moveAt(bending, u, inward), bending.view, spine.at(u, inward));
+    stations.set(u, found);
+    return found;
   };
   return { closed: spine.closed, stops: bending.breaks, at };
 }
