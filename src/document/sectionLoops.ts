@@ -82,7 +82,7 @@ export function sectionLoop(seen: Seen, wished: number): SectionLoop | null {
   if (!found || !drawing) return null;
   const u = Math.min(1 - ENDS, Math.max(ENDS, wished));
   const { centre, axis, radius } = found.source.stand(u, 1);
-  const points = sectionAt(found.sheet, found.sheet, u, drawing)?.points;
+  const points = sectionAt(found.sheet, u);
   if (!points || !(radius > 1e-6 * found.source.length)) return null;
   const frame: Plane = { origin: [centre[0], centre[1], 0], x: [-axis[0], -axis[1], 0], y: [0, 0, 1] };
   const { placement } = seen;
@@ -91,7 +91,7 @@ export function sectionLoop(seen: Seen, wished: number): SectionLoop | null {
   const [first, last] = [points[0]!, points.at(-1)!];
   return {
     u,
-    points: points.map((p) => place3(placement, p)),
+    points: points.map((p) => place3(placement, outOf(drawing, p))),
     closed: length3(sub3(first, last)) <= 1e-6 * radius,
     plane: {
       origin: place3(placement, bent.origin),

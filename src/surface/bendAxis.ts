@@ -84,11 +84,6 @@ export function bendAxis(spine: Spine, plane: Plane, closedStroke = false): Axis
   return pathAxis(spine, view, probes, loop);
 }
 
-/** l(u) to show, mm in the side view; stops are among its points. */
-export function axisOf(spine: Spine, plane: Plane): Vec2[] {
-  return probesOf(spine, sideView(plane)).map(({ l }) => l);
-}
-
 function probesOf(spine: Spine, view: Side2): Probe[] {
   return spine.stops.slice(1).flatMap((to, i) => {
     const from = spine.stops[i]!;

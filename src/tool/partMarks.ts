@@ -7,31 +7,15 @@ import { cross3 } from '../math/tuple.ts';
 import type { Vec2, Vec3 } from '../math/vec.ts';
 import { toWorld } from '../stroke/plane.ts';
 import type { Stroke } from '../stroke/stroke.ts';
-import type { Sheet, SheetRow } from '../surface/sheet.ts';
+import { sectionAt } from '../surface/sectionAt.ts';
 import type { Mark } from './marks.ts';
 
 /** The section at u, on the form as it is. */
 export function sectionMarks(part: SurfacePart, u: number): readonly Mark[] {
   const sheet = sheetOf(part.kind, part, part.brush);
-  const points = sheet && loopAt(sheet, u)?.map((p) => inWorld(part, p));
+  const points = sheet && sectionAt(sheet, u)?.map((p) => inWorld(part, p));
   if (!points || points.length < 2) return [];
   return [{ kind: 'line', style: 'lit', points }];
-}
-
-/** Points across the surface at u, between the rows beside it. */
-function loopAt({ rows, spine }: Sheet, u: number): readonly Vec3[] | null {
-  const own = rows.filter(({ at }) => !at.rigid);
-  const next = own.findIndex(({ at }) => at.u >= u);
-  const [before, after] = [own[Math.max(0, next - 1)], own[next < 0 ? own.length - 1 : next]];
-  if (!before || !after || spine.stops.length === 0) return null;
-  const span = after.at.u - before.at.u;
-  const t = span > 0 ? (u - before.at.u) / span : 1;
-  const at = ({ points }: SheetRow, k: number): number => points[Math.min(k, points.length - 3 + (k % 3))]!;
-  const count = Math.max(before.points.length, after.points.length) / 3;
-  return Array.from({ length: count }, (_, j): Vec3 => {
-    const mix = (k: number) => (1 - t) * at(before, 3 * j + k) + t * at(after, 3 * j + k);
-    return [mix(0), mix(1), mix(2)];
-  });
 }
 
 /** Its control mesh, where it has one, its strokes as they are, and their control points. */
