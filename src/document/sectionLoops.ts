@@ -4,7 +4,7 @@
  * the ends of the chord.
  */
 import { isUnmoved, type Placement, place3, unplaced } from '../math/placement.ts';
-import { add3, cross3, dot3, length3, rotate3, scale3, sub3 } from '../math/tuple.ts';
+import { add3, cross3, dot3, length2, length3, rotate3, scale3, sub3 } from '../math/tuple.ts';
 import type { Vec3 } from '../math/vec.ts';
 import type { Plane, Stroke } from '../stroke/stroke.ts';
 import { type BendInput, deform } from '../surface/deform.ts';
@@ -157,7 +157,7 @@ export function sectionSeenAt(
   const u = nearestU(found.sheet, (k, points) => {
     const world = place3(seen.placement, outOf(drawing, [points[k]!, points[k + 1]!, points[k + 2]!]));
     const at = shown(world);
-    if (at) least = Math.min(least, Math.sqrt(at[0] * at[0] + at[1] * at[1]));
+    if (at) least = Math.min(least, length2(at));
     return at ? [at[0], at[1], 0] : null;
   });
   return u === null ? null : { u, distance: least };
