@@ -49,7 +49,7 @@ const bench: UserConfig = {
     outDir: 'dist/bench',
     target: 'node20',
     rolldownOptions: {
-      input: ['segment', 'polygon', 'scene', 'polygonize', 'raycast', 'silhouettes', 'gpu'].map(
+      input: ['segment', 'polygon', 'scene', 'polygonize', 'raycast', 'silhouettes', 'surfaces', 'gpu'].map(
         (what) => `tests/bench/${what}.time.ts`,
       ),
     },

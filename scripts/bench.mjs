@@ -13,6 +13,7 @@ process.exit(
     run('node', ['dist/bench/polygonize.time.js']) ||
     run('node', ['dist/bench/raycast.time.js']) ||
     run('node', ['dist/bench/silhouettes.time.js']) ||
+    run('node', ['dist/bench/surfaces.time.js']) ||
     run('node', ['dist/bench/gpu.time.js'], dawnEnvironment(CHROMIUM)) ||
     run('npx', ['playwright', 'test', '--project', 'bench', '--reporter=line'], { CHROMIUM }),
 );

@@ -4,6 +4,7 @@
  */
 import { distance2 } from '../math/tuple.ts';
 import type { Curve } from '../stroke/curve.ts';
+import { runsLeft } from '../surface/chordWay.ts';
 import type { PlacedOutline, SurfaceKind } from '../surface/index.ts';
 import { joined, round } from '../surface/joined.ts';
 import { mixedOutline } from '../surface/mixed.ts';
@@ -60,11 +61,13 @@ const outlines = new WeakMap<Section, { readonly key: string; readonly outline: 
 function outlineIn(section: Section, back: Back, brush: Filter, source: () => Source): Outline {
   const { front, back: own } = section;
   const turned = [front, own].map((drawn) => drawn && isTurned(drawn, brush, source));
-  const key = JSON.stringify([brush.filter, brush.levels, back, turned]);
+  const isAcross = [front, own].some((drawn) => drawn?.half === null);
+  const below = !isAcross || !runsLeft((u) => source().stand(u, 1));
+  const key = JSON.stringify([brush.filter, brush.levels, back, turned, below]);
   const known = outlines.get(section);
   if (known?.key === key) return known.outline;
-  const over = (front && halfOf(front, turned[0]!, brush)) ?? roundHalf;
-  const under = (back === 'drawn' && own && halfOf(own, turned[1]!, brush)) || 'mirror';
+  const over = (front && halfOf(front, { reversed: turned[0]!, below }, brush)) ?? roundHalf;
+  const under = (back === 'drawn' && own && halfOf(own, { reversed: turned[1]!, below }, brush)) || 'mirror';
   const whole =
     back === 'none' ? over : over === roundHalf && under === 'mirror' ? round : joined(over, under);
   const outline = drawnOver(whole, section, brush);
@@ -79,9 +82,13 @@ const drawnOver = (outline: Outline, { redraws }: Section, brush: Filter): Outli
   }, outline);
 
 /** A front or a back; null where the stroke is too short to say anything. */
-function halfOf({ stroke, half }: SectionStroke, reversed: boolean, brush: Filter): Outline | null {
+function halfOf(
+  { stroke, half }: SectionStroke,
+  { reversed, below }: { readonly reversed: boolean; readonly below: boolean },
+  brush: Filter,
+): Outline | null {
   const curve = lineOf(stroke, brush);
-  return curve && outlineOf(curve, { reversed, across: half === null });
+  return curve && outlineOf(curve, { reversed, across: half === null && below });
 }
 
 /** One end belongs to one side and one to the other, though they meet. */

@@ -12,21 +12,9 @@ import { kernelNamed } from '../../src/kernel/index.ts';
 import { cos, PI, sin } from '../../src/math/trig.ts';
 import type { Vec2 } from '../../src/math/vec.ts';
 import { silhouetteOf, skeletonOf } from '../../src/skeleton/medial/silhouette.ts';
-import { rounded } from './timing.ts';
+import { processorTime } from './timing.ts';
 
-const ROUNDS = 5;
 const CELLS = 128;
-
-/** ms of the processor, the least of some rounds. */
-function least(task: () => unknown, rounds = ROUNDS): number {
-  const times = Array.from({ length: rounds }, () => {
-    const before = process.cpuUsage();
-    task();
-    const { user, system } = process.cpuUsage(before);
-    return (user + system) / 1000;
-  });
-  return rounded(Math.min(...times), 1);
-}
 
 /** Five soft arms. */
 const star = (count: number): Vec2[] =>
@@ -38,16 +26,16 @@ const star = (count: number): Vec2[] =>
 
 const cauchy = kernelNamed('cauchy')!;
 // the first calls are slow whatever they do
-least(() => silhouetteOf([star(300)], cauchy, {}, 0.5), 20);
+processorTime(() => silhouetteOf([star(300)], cauchy, {}, 0.5), 20);
 console.log('Outlines, ms');
 console.table(
   [100, 1000].map((points) => {
     const loops = [star(points)];
     return {
       points,
-      skeleton: least(() => skeletonOf(loops)),
-      'skeleton, weights and places': least(() => silhouetteOf(loops, cauchy, {}, 0.5)),
-      'while the pen moves': least(() => silhouetteOf(loops, cauchy, {}, 0.5, { quick: true })),
+      skeleton: processorTime(() => skeletonOf(loops)),
+      'skeleton, weights and places': processorTime(() => silhouetteOf(loops, cauchy, {}, 0.5)),
+      'while the pen moves': processorTime(() => silhouetteOf(loops, cauchy, {}, 0.5, { quick: true })),
     };
   }),
 );
@@ -69,12 +57,12 @@ console.table(
     const text = readFileSync(`public/samples/${name}.rotund`, 'utf8');
     const nodes = () => bodiesOf(parse(text, name).document).map(({ node }) => node);
     const meshed = (cells: number) => nodes().map((node) => makeBody(node, cells).mesh);
-    const fields = least(nodes, 2);
+    const fields = processorTime(nodes, 2);
     return {
       name,
       fields,
-      coarse: least(() => meshed(DRAFT), 2),
-      fine: least(() => meshed(CELLS), 1),
+      coarse: processorTime(() => meshed(DRAFT), 2),
+      fine: processorTime(() => meshed(CELLS), 1),
       triangles: meshed(CELLS).reduce((sum, { indices }) => sum + indices.length / 3, 0),
       theirs,
     };

@@ -72,6 +72,17 @@ export function leastOf<Name extends string>(
   return least;
 }
 
+/** ms of the processor, the least of some rounds. */
+export function processorTime(task: () => unknown, rounds = 5): number {
+  const times = Array.from({ length: rounds }, () => {
+    const before = process.cpuUsage();
+    task();
+    const { user, system } = process.cpuUsage(before);
+    return (user + system) / 1000;
+  });
+  return rounded(Math.min(...times), 1);
+}
+
 /** Every kernel once, so that no call has but one target, as in the application. */
 export function mixCalls(skels: readonly Skel[]): void {
   const grid = cube(5, 8);
