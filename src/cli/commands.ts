@@ -45,7 +45,7 @@ export const MESH: CommandSpec = {
     {
       name: 'surface-resolution',
       value: 'N|UxV',
-      help: 'quads along and around a surface made from strokes, 4 to 1024 each (64x64)',
+      help: 'quads along and around a surface made from strokes, 4 to 1024 each (as the drawing says, else 64x64)',
     },
     {
       name: 'resolution',

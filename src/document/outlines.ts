@@ -4,6 +4,7 @@
  */
 import { distance2 } from '../math/tuple.ts';
 import type { Curve } from '../stroke/curve.ts';
+import { runsLeft } from '../surface/chordWay.ts';
 import type { PlacedOutline, SurfaceKind } from '../surface/index.ts';
 import { joined, round } from '../surface/joined.ts';
 import { mixedOutline } from '../surface/mixed.ts';
@@ -34,18 +35,23 @@ export function outlinesOf(
   if (sections.length === 0) return [];
   const source = lazily(() => sourceOf({ ...brush, curves }));
   const place = (section: Section): PlacedOutline => ({
-    u: section.u,
+    u: placeOf(section),
     outline: outlineIn(section, form.back, brush, source),
   });
   const own = sections.filter(({ follows }) => !follows).map(place);
   const isRound = curves.every(({ closed }) => closed);
   return sections.map((section) => {
-    if (!section.follows) return own.find(({ u }) => u === section.u)!;
-    const { u } = section;
+    if (!section.follows) return own.find(({ u }) => u === placeOf(section))!;
+    const u = placeOf(section);
     const base = own.length > 0 ? mixedOutline(own, u, form.between, isRound) : circle(form.back);
     return { u, outline: drawnOver(base, section, brush) };
   });
 }
+
+/** u nearer to an end than this is that end: nothing lies between */
+const END = 1e-6;
+
+const placeOf = ({ u }: Section): number => (u < END ? 0 : u > 1 - END ? 1 : u);
 
 /** Without any stroke. */
 const circle = (back: Back): Outline => (back === 'none' ? roundHalf : round);
@@ -55,11 +61,13 @@ const outlines = new WeakMap<Section, { readonly key: string; readonly outline: 
 function outlineIn(section: Section, back: Back, brush: Filter, source: () => Source): Outline {
   const { front, back: own } = section;
   const turned = [front, own].map((drawn) => drawn && isTurned(drawn, brush, source));
-  const key = JSON.stringify([brush.filter, brush.levels, back, turned]);
+  const isAcross = [front, own].some((drawn) => drawn?.half === null);
+  const below = !isAcross || !runsLeft((u) => source().stand(u, 1));
+  const key = JSON.stringify([brush.filter, brush.levels, back, turned, below]);
   const known = outlines.get(section);
   if (known?.key === key) return known.outline;
-  const over = (front && halfOf(front, turned[0]!, brush)) ?? roundHalf;
-  const under = (back === 'drawn' && own && halfOf(own, turned[1]!, brush)) || 'mirror';
+  const over = (front && halfOf(front, { reversed: turned[0]!, below }, brush)) ?? roundHalf;
+  const under = (back === 'drawn' && own && halfOf(own, { reversed: turned[1]!, below }, brush)) || 'mirror';
   const whole =
     back === 'none' ? over : over === roundHalf && under === 'mirror' ? round : joined(over, under);
   const outline = drawnOver(whole, section, brush);
@@ -74,9 +82,13 @@ const drawnOver = (outline: Outline, { redraws }: Section, brush: Filter): Outli
   }, outline);
 
 /** A front or a back; null where the stroke is too short to say anything. */
-function halfOf({ stroke, half }: SectionStroke, reversed: boolean, brush: Filter): Outline | null {
+function halfOf(
+  { stroke, half }: SectionStroke,
+  { reversed, below }: { readonly reversed: boolean; readonly below: boolean },
+  brush: Filter,
+): Outline | null {
   const curve = lineOf(stroke, brush);
-  return curve && outlineOf(curve, { reversed, across: half === null });
+  return curve && outlineOf(curve, { reversed, across: half === null && below });
 }
 
 /** One end belongs to one side and one to the other, though they meet. */

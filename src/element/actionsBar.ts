@@ -3,7 +3,7 @@ import { html, nothing, type TemplateResult } from 'lit';
 import { CLAY } from '../document/build.ts';
 import { partsWith } from '../document/chosen.ts';
 import { nameOf } from '../document/command/changeParts.ts';
-import { isSurface } from '../document/document.ts';
+import { isSurface, type SurfacePart } from '../document/document.ts';
 import { mirrorOf } from '../document/mirror.ts';
 import { startBend } from './bending.ts';
 import { chosenColour } from './chosenParts.ts';
@@ -29,15 +29,17 @@ export function actionsBar(session: Session, actions: Actions): TemplateResult |
   const { document, selection } = session;
   if (selection.length === 0 || document.draft || session.tool !== 'select') return nothing;
   const hidden = isHidden(document, selection);
+  // what its own deeds leave no room for is in the list of parts, and on H
+  const surface = bendable(session);
   const docked = actions.open === 'parts' || actions.open === 'settings';
   return html`<div class="acts card chrome ${docked ? 'docked' : ''}" part="actions" role="toolbar" aria-label=${nameOf(document, selection)}>
     ${iconButton(null, PART_WORDS.colour, () => actions.toggle('palette'), {
       expanded: actions.open === 'palette',
       body: html`<span class="swatch">${ball('toon', chosenColour(session) ?? CLAY)}</span>`,
     })}
-    ${iconButton(hidden ? 'eye' : 'eyeOff', hidden ? action.show : action.hide, () => hideSelection(session), { key: 'H', class: 'elsewhere least' })}
+    ${surface ? nothing : iconButton(hidden ? 'eye' : 'eyeOff', hidden ? action.show : action.hide, () => hideSelection(session), { key: 'H', class: 'elsewhere least' })}
     ${hidden ? nothing : iconButton('focus', action.focus, () => session.focus(selection), { class: 'elsewhere' })}
-    ${bends(session)}
+    ${surface ? edits(session, surface.id) : nothing}
     ${iconButton('duplicate', action.duplicate, () => duplicateSelection(session), { shortcut: 'Control+D' })}
     ${hidden ? nothing : mirrors(session)}
     ${selectedSkeleton(session) ? iconButton('skeleton', SKELETON_WORDS.show, () => toggleSkeleton(session), { key: 'K', pressed: isSkeletonOn(session) }) : nothing}
@@ -46,14 +48,16 @@ export function actionsBar(session: Session, actions: Actions): TemplateResult |
   </div>`;
 }
 
-/** One surface that is seen can be bent. */
-function bends(session: Session): TemplateResult | typeof nothing {
-  const [part, ...others] = partsWith(session.document, session.selection);
-  if (!part || others.length > 0 || part.hidden || !isSurface(part)) return nothing;
-  return html`${iconButton('bend', EDIT_WORDS.bend, () => startBend(session), { key: EDIT_WORDS.bendKey })}
-    ${iconButton('redraw', EDIT_WORDS.redraw, () => startRedraw(session), { key: EDIT_WORDS.redrawKey })}
-    ${iconButton('recreate', EDIT_WORDS.recreate, () => recreatePart(session, part.id), { hint: EDIT_WORDS.recreateHint })}`;
+/** One surface that is seen; null: something else is selected. */
+function bendable({ document, selection }: Session): SurfacePart | null {
+  const [part, ...others] = partsWith(document, selection);
+  return part && others.length === 0 && !part.hidden && isSurface(part) ? part : null;
 }
+
+const edits = (session: Session, id: string): TemplateResult =>
+  html`${iconButton('bend', EDIT_WORDS.bend, () => startBend(session), { key: EDIT_WORDS.bendKey })}
+    ${iconButton('redraw', EDIT_WORDS.redraw, () => startRedraw(session), { key: EDIT_WORDS.redrawKey })}
+    ${iconButton('recreate', EDIT_WORDS.recreate, () => recreatePart(session, id), { hint: EDIT_WORDS.recreateHint })}`;
 
 /** Where the mirror stands is told by their tooltips. */
 function mirrors(session: Session): TemplateResult {

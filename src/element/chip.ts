@@ -9,6 +9,7 @@ import { fact, formWord, joinWord, previewWords, shortName, startedOn } from './
 import { ball, type IconName, icon } from './icons.ts';
 import type { ChipSize, Size } from './place.ts';
 import type { Session } from './session.ts';
+import { hasStrokesRow, strokesRow } from './strokesRow.ts';
 import {
   FORMS,
   type FormWord,
@@ -57,7 +58,7 @@ const joinChoices = (document: Document): readonly JoinWord[] =>
 /** px: about what it needs. Wide pages have room for words. */
 export function chipSize(document: Document, { width }: Size, backs = false): ChipSize {
   const forms = backs ? BACKS.length : formChoices(document).length;
-  const joins = joinChoices(document).length > 0;
+  const joins = joinChoices(document).length > 0 || hasStrokesRow(document);
   const words = backs || width >= WORDY;
   return {
     width: (forms > 0 ? 368 : 352) + forms * (words ? 90 : 46),
@@ -96,7 +97,7 @@ export function chip(session: Session, actions: Actions): TemplateResult | typeo
     <button class="b quiet text" aria-label="Drop" aria-keyshortcuts="Escape" @click=${done(() => session.drop())}>${icon('x', 20)}<span class="word">Drop</span></button>
     ${problem ? wayOn(session, done) : html`<button class="b primary text" aria-keyshortcuts="N Enter" @click=${done(() => session.keep())}>${icon('check', 20)}Keep</button>`}
     </div>
-    ${joins(session)}
+    ${joins(session)} ${strokesRow(session)}
   </div>`;
 }
 

@@ -51,7 +51,8 @@ function counts(parts: readonly SurfacePart[]): string {
 /** Quads along and across, without what shuts the ends. */
 function sizeOf(part: SurfacePart): string {
   const sheet = sheetOf(part.kind, part, part.brush);
-  const along = sheet?.rows.filter(({ joined, at }, i) => i > 0 && joined && !at.rigid).length ?? 0;
+  const rows = sheet?.rows.filter(({ at }) => !at.rigid) ?? [];
+  const along = rows.filter(({ joined, at }, i) => i > 0 && joined && at.u > rows[i - 1]!.at.u).length;
   const across = sheet?.columns.joined.filter(Boolean).length ?? 0;
   return `${along} × ${across}`;
 }

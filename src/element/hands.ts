@@ -2,6 +2,7 @@
  * What hands do to the element: pointers on the stage, keys, the view ball. They go to the session; what is open and who
  * may draw is asked of the element.
  */
+import { redrawOnce } from '../tool/redraw.ts';
 import type { Pen } from '../tool/tool.ts';
 import { type Actions, roundRadius } from './controls.ts';
 import { press } from './keys.ts';
@@ -46,6 +47,7 @@ export class Hands {
       down: (pen) => this.#down(pen),
       move: (pens, predicted) => this.#move(pens, predicted),
       hover: (pen) => this.#hover(pen),
+      erase: (pen) => this.#erase(pen),
       up: () => {
         this.rest();
         session.up();
@@ -74,6 +76,14 @@ export class Hands {
     if (open && !stays) this.#host.open = null;
     session.down(pen);
     this.#host.drawInk();
+  }
+
+  /** The other end of the pen draws over what is under it; where that is nothing it takes the last stroke back. */
+  #erase(pen: Pen): void {
+    const { session } = this.#host;
+    session.begin(redrawOnce(session.idle));
+    this.#down(pen);
+    if (!session.state.wet) session.undo();
   }
 
   #move(pens: readonly Pen[], predicted: readonly Pen[]): void {

@@ -164,7 +164,7 @@ export const layout = css`
   .dots button { width: 2.75rem; height: 2.75rem; display: grid; place-items: center; border-radius: 50%; position: relative; }
   .dots i { width: 1.75rem; height: 1.75rem; border-radius: 50%; border: 1px solid var(--edge); }
   .dots [aria-checked='true']::after, .spheres [aria-checked='true']::after { content: ''; position: absolute; inset: 1px; border-radius: 50%; border: 3px solid var(--pencil); }
-  .spheres { display: grid; grid-template-columns: repeat(6, 1fr); }
+  .spheres { display: grid; grid-template-columns: repeat(6, 1fr); justify-items: center; }
   .spheres button { width: 2.875rem; height: 2.875rem; display: grid; place-items: center; border-radius: 50%; position: relative; }
   .spheres .ball { width: 2.75rem; height: 2.75rem; color: var(--active); }
   .faces { display: grid; grid-template-columns: repeat(3, 1fr); gap: 0.25rem; padding: 0.25rem 0.5rem; }

@@ -38,7 +38,7 @@ export const partsLayout = css`
   .acts .b { flex-direction: column; gap: 0.125rem; height: 3.75rem; min-width: 4.5rem; border-radius: 0.875rem; font-size: 0.75rem; line-height: 1rem; }
   .acts .b > .name { display: block; }
   .acts .tip { display: none; }
-  .acts ~ .status { max-width: calc(50cqw - 21rem); }
+  .acts ~ .status { max-width: calc(50cqw - 24.5rem); }
   .acts.docked ~ .status .aside { display: none; }
   .acts .swatch, .acts .swatch .ball { width: 1.5rem; height: 1.5rem; }
 

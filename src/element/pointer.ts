@@ -12,6 +12,8 @@ export interface PointerTarget {
   /** over the picture, not on it; null: it left */
   hover(pen: Pen | null): void;
   up(): void;
+  /** as `down`, with the other end of the pen */
+  erase(pen: Pen): void;
   cancel(): void;
   /** camera moves, CSS pixels and radians */
   orbit(dx: number, dy: number): void;
@@ -105,16 +107,17 @@ export class PointerRouter {
     if (event.pointerType === 'pen') {
       // A palm that lay down just before the pen had begun a stroke of its own.
       if (this.#fingers.size > 0) this.#endFingers();
-      if (event.button === 5) {
-        this.#target.undo();
-        return;
-      }
     }
     this.#canvas.setPointerCapture(event.pointerId);
     this.#owner = event.pointerId;
     this.#last = this.#at(event);
     this.#mode = buttonMode(event);
-    if (this.#mode === 'draw' && this.#target.looking()) this.#look(event);
+    // the other end of the pen
+    if (event.pointerType === 'pen' && event.button === 5 && !this.#target.looking()) {
+      this.#mode = 'draw';
+      this.#drawing = event;
+      this.#target.erase(this.#pen(event));
+    } else if (this.#mode === 'draw' && this.#target.looking()) this.#look(event);
     else if (this.#mode === 'draw') this.#begin(event);
     if (event.pointerType === 'pen') this.#target.penSeen();
   }

@@ -10,6 +10,7 @@ import { detailRows } from './detailRows.ts';
 import { icon } from './icons.ts';
 import { outlinePicture } from './outlinePicture.ts';
 import { toggle } from './panelFrame.ts';
+import { recreatePart } from './recreating.ts';
 import type { Session } from './session.ts';
 import { isMeshShown, lightSection, litSection, showMesh } from './surfaceMarks.ts';
 import { SECTION_WORDS, SURFACE_WORDS } from './words.ts';
@@ -54,9 +55,7 @@ function sections(session: Session, part: SurfacePart): TemplateResult | typeof 
 
 /** With its strokes in hand again, and seen as they were drawn. */
 function drawSection(session: Session, { id }: SurfacePart): void {
-  session.run({ type: 'recreate', id });
-  const view = session.document.draft?.strokes[0]?.view;
-  if (view) session.camera.lookFrom(view);
+  recreatePart(session, id);
   session.setTool('section');
 }
 

@@ -71,7 +71,10 @@ export function filterStroke(samples: readonly Sample[], options: FilterOptions)
   const cleaned = clean(samples, REST_GRAINS * (options.grain ?? 1));
   if (cleaned === null) return null;
   // One budget of fine points for the whole stroke, however long it is and into however many pieces it falls.
-  const longest = pathOf(cleaned.samples, false).length * STEPS_PER_GRAIN;
+  const length = pathOf(cleaned.samples, false).length;
+  const { x, y } = cleaned.samples[0]!;
+  if (!(length > ROUNDING * (Math.abs(x) + Math.abs(y) + (options.grain ?? 1)))) return null;
+  const longest = length * STEPS_PER_GRAIN;
   const grain = Math.max(options.grain ?? 1, longest / MOST_FINE_POINTS);
   const drawn = pathOf(removeHooks(cleaned.samples, grain), false);
   const path = shouldClose(drawn, options.closed ?? 'auto') ? joinEnds(drawn) : drawn;
@@ -87,6 +90,9 @@ export function filterStroke(samples: readonly Sample[], options: FilterOptions)
     pressure: pressureProfile(path, corners[0] ?? 0),
   };
 }
+
+/** parts of its distance from the origin, and of the grain, that a stroke must be longer than: what is shorter is rounding */
+const ROUNDING = 1e-12;
 
 const degreeOf = ({ filter }: FilterOptions): Degree => (filter === 'chaikin' ? 2 : 3);
 
@@ -127,7 +133,8 @@ function fitPiece(
 
 /** Resampled once to steps alike, because tremble lengthens a path and unevenly so: by a tenth where the pen is slow. */
 function evenPath(path: Path, step: number): Path {
-  const count = Math.ceil(Math.min(path.length / step, MOST_FINE_POINTS)) + 1;
+  // of a piece between two corners in one place there is no step
+  const count = Math.ceil(Math.min(path.length / step || 1, MOST_FINE_POINTS)) + 1;
   return pathOf(resample(path, count), path.closed);
 }
 

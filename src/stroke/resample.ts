@@ -41,6 +41,8 @@ function prefixIntegrals(path: Path): Sums {
 }
 
 function meanOver(path: Path, sums: Sums, from: number, to: number): Ink {
+  // a piece between two corners in one place
+  if (!(to > from)) return inkAt(path, 0);
   const a = integralTo(path, sums, from);
   const b = integralTo(path, sums, to);
   const k = 1 / (to - from);

@@ -1,6 +1,6 @@
 /**
  * Where a section can be drawn: across a form between its two construction curves, at the u that the surface itself uses (thesis 5.4.1,
- * fig. 5.10). The chord is straight; the half on the right-hand side going from q_l to q_r is convex.
+ * fig. 5.10). The chord is straight; the half below it, or on the right-hand side of q_l to q_r, is convex (surface/chordWay.ts).
  */
 import { type Document, isSurface, readingOf, type SurfacePart } from '../document/document.ts';
 import { pairOf } from '../document/pairs.ts';

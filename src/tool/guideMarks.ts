@@ -3,6 +3,7 @@ import { cos, PI, sin } from '../math/trig.ts';
 import { add2, distance2, mix2, scale2, sub2 } from '../math/tuple.ts';
 import type { Vec2 } from '../math/vec.ts';
 import { toWorld } from '../stroke/plane.ts';
+import { runsLeft } from '../surface/chordWay.ts';
 import { endsOf, type Guide } from './across.ts';
 import type { Mark, MarkWord } from './marks.ts';
 import type { Viewport } from './viewport.ts';
@@ -25,7 +26,7 @@ export function guideMarks(guide: Guide, viewport: Viewport, { held }: GuideOpti
   const dot = (p: Vec2, isHeld: boolean | undefined): Mark =>
     isHeld ? { kind: 'dot', at: world(p), held: true } : { kind: 'dot', at: world(p) };
   const round = (style: 'full' | 'hollow', sense: 1 | -1): Mark => {
-    const points = halfRound(left, right, sense).map(world);
+    const points = halfRound(guide, sense).map(world);
     return { kind: 'line', style, points };
   };
   const isFront = side === 'front';
@@ -46,25 +47,28 @@ function hasRoom(guide: Guide, viewport: Viewport): boolean {
   return a !== null && b !== null && distance2(a, b) >= WORDY;
 }
 
-/** The right-hand side going from q_l to q_r. */
-function across2(left: Vec2, right: Vec2): Vec2 {
+/** Towards the full side. */
+function across2({ across: { pair }, left, right }: Guide): Vec2 {
   const [dx, dy] = sub2(right, left);
-  return [0.5 * dy, -0.5 * dx];
+  const way = runsLeft((u) => pair.at(u, 1)) ? -0.5 : 0.5;
+  return [way * dy, -way * dx];
 }
 
-function halfRound(left: Vec2, right: Vec2, sense: 1 | -1): readonly Vec2[] {
+function halfRound(guide: Guide, sense: 1 | -1): readonly Vec2[] {
+  const { left, right } = guide;
   const middle = mix2(left, right, 0.5);
   const half = scale2(sub2(right, left), 0.5);
-  const deep = scale2(across2(left, right), sense * DEPTH);
+  const deep = scale2(across2(guide), sense * DEPTH);
   return Array.from({ length: STEPS + 1 }, (_, i) => {
     const angle = (PI * i) / STEPS;
     return add2(middle, add2(scale2(half, -cos(angle)), scale2(deep, sin(angle))));
   });
 }
 
-function labels({ across, left, right, side }: Guide): Mark[] {
+function labels(guide: Guide): Mark[] {
+  const { across, left, right, side } = guide;
   const middle = mix2(left, right, 0.5);
-  const deep = scale2(across2(left, right), DEPTH);
+  const deep = scale2(across2(guide), DEPTH);
   const label = (word: MarkWord, p: Vec2, from: Vec2): Mark => ({
     kind: 'label',
     word,

@@ -2,12 +2,13 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { EMPTY_DOCUMENT, type Part } from '../../src/document/document.ts';
 import { type Drawing, EMPTY_DRAWING } from '../../src/document/drawing.ts';
+import { PLAIN } from '../../src/document/surfacePart.ts';
 import type { Origin } from '../../src/element/origins.ts';
 import { Origins } from '../../src/element/origins.ts';
 import { Session } from '../../src/element/session.ts';
 import type { Stroke } from '../../src/stroke/stroke.ts';
 
-const part = { id: 'p1', name: 'Body', kind: 'tube', strokes: [] as readonly Stroke[] } as Part;
+const part = { ...PLAIN, id: 'p1', name: 'Body', kind: 'tube', strokes: [] as readonly Stroke[] } as Part;
 
 const drawing = (name: string): Drawing => ({
   ...EMPTY_DRAWING,

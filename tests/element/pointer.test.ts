@@ -27,6 +27,7 @@ beforeEach(() => {
   const note = (name: string) => () => void log.push(name);
   const target: PointerTarget = {
     down: note('down'),
+    erase: note('erase'),
     move: note('move'),
     hover: (pen) => void log.push(pen ? 'hover' : 'left'),
     up: note('up'),
@@ -123,12 +124,13 @@ describe('a pen', () => {
     expect(strokes()).toEqual(['down', 'cancel', 'down', 'up']);
   });
 
-  it('undoes with its eraser and turns nothing meanwhile', () => {
+  it('draws over with its eraser and turns nothing meanwhile', () => {
     fingersDraw = false;
     send('pointerdown', 'touch', 7);
     send('pointerdown', 'pen', 1, 100, 5);
     send('pointermove', 'pen', 1, 200);
-    expect(log).toEqual(['undo']);
+    send('pointerup', 'pen', 1, 200);
+    expect(log.filter((name) => name !== 'pen seen')).toEqual(['erase', 'move', 'move', 'up']);
   });
 });
 

@@ -34,6 +34,7 @@ export class FieldHands {
       down: nothing,
       move: nothing,
       hover: nothing,
+      erase: nothing,
       up: nothing,
       cancel: nothing,
       undo: nothing,
