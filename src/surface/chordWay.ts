@@ -4,11 +4,12 @@
  * stroke (align.ts), so that q_l is on the person's right when sides were drawn downwards: then full is the left-hand side, and lies
  * below all the same. Where chords stand nearly upright (lying forms) nothing is below, and the right-hand side counts.
  */
+import { distance2 } from '../math/tuple.ts';
 import type { Vec2 } from '../math/vec.ts';
 
 /** places the mean is taken of */
 const LOOKS = 32;
-/** of the mean chord: less to the left is upright */
+/** of their length: what is less to the left is upright, or goes round in a ring */
 const UPRIGHT = 0.1;
 
 /** The two sides at one u, on the plane. */
@@ -16,11 +17,12 @@ export type Chord = (u: number) => { readonly left: Vec2; readonly right: Vec2 }
 
 /** Chords run from q_l to q_r to the left, in the mean. Mirrored forms answer alike. */
 export function runsLeft(chord: Chord): boolean {
-  let [x, y] = [0, 0];
+  let x = 0;
+  let length = 0;
   for (let i = 0; i < LOOKS; i++) {
     const { left, right } = chord((i + 0.5) / LOOKS);
     x += right[0] - left[0];
-    y += right[1] - left[1];
+    length += distance2(left, right);
   }
-  return x < -UPRIGHT * Math.sqrt(x * x + y * y);
+  return x < -UPRIGHT * length;
 }
