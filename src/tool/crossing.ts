@@ -60,22 +60,16 @@ export function isPastMiddle({ guide, pens, length }: Crossing, { viewport }: Be
 export function plan(crossing: Crossing, bench: Bench): readonly Command[] | null {
   if (!isPastMiddle(crossing, bench)) return null;
   const stroke = strokeOf(crossing, bench);
-  return stroke && sectionCommands(crossing.guide, stroke, bench.document);
+  return stroke && [sectionCommand(crossing.guide, stroke)];
 }
 
-/** What drawing it does; who had gone back to tubes means a surface again. */
-function sectionCommands({ across, u, side }: Guide, stroke: Stroke, document: Document): readonly Command[] {
-  const { part } = across;
-  const add: Command = {
-    type: 'addSection',
-    u,
-    drawn: { stroke, half: null },
-    ...(side === 'back' && { side }),
-    ...(part !== undefined && { part }),
-  };
-  const isPinned = part === undefined && document.tubesOnly;
-  return isPinned ? [{ type: 'setTubesOnly', on: false }, add] : [add];
-}
+const sectionCommand = ({ across: { part }, u, side }: Guide, stroke: Stroke): Command => ({
+  type: 'addSection',
+  u,
+  drawn: { stroke, half: null },
+  ...(side === 'back' && { side }),
+  ...(part !== undefined && { part }),
+});
 
 function strokeOf({ pens, guide, view }: Crossing, { viewport }: Bench): Stroke | null {
   const stroke = strokeOn(guide.across.plane, pens, view, viewport.size);
@@ -96,7 +90,7 @@ export function previewOf(crossing: Crossing, bench: Bench): Document | null {
   const stroke = strokeOf(crossing, bench);
   if (!stroke) return null;
   const whole = isSnapped(crossing, bench) ? stroke : completed(stroke, crossing.guide);
-  return sectionCommands(crossing.guide, whole, bench.document).reduce(apply, bench.document);
+  return apply(bench.document, sectionCommand(crossing.guide, whole));
 }
 
 /** With points up to q_r(u), or q_l(u). */

@@ -76,6 +76,19 @@ describe('the number of strokes decides', () => {
     expect(readingOf(tube)).toBe('tube');
   });
 
+  it('what makes a surface of strokes that stay tubes is seen at once; strokes in hand leave the others tubes', () => {
+    const on: Command = { type: 'setTubesOnly', on: true };
+    const redraw: Command = { type: 'redrawSection', u: 0.5, drawn: bump };
+    for (const more of [section(0.5), redraw]) {
+      const seen = after([on, add(line(0)), more]);
+      expect(readingOf(seen)).toBe('crossSection');
+      expect(seen.tubesOnly).toBe(false);
+      const inHand = after([add(line(0)), KEEP, on, { type: 'recreate', id: 'part-1' }, more]);
+      expect(readingOf(inHand)).toBe('crossSection');
+      expect(inHand.tubesOnly).toBe(true);
+    }
+  });
+
   it('of parts, too', () => {
     const kept = after([...SIDES, KEEP]);
     const one = after([{ ...section(0.5), part: 'part-1' } as Command], kept);
