@@ -111,6 +111,14 @@ describe('sections', () => {
     expect(partOf(document).sections[1]!.front!.stroke).toEqual(across(3));
   });
 
+  it('keep the back of the one whose place they take', () => {
+    const behind = { stroke: across(-3), half: null };
+    const both = after([...SIDES, section(0.5), { type: 'addSection', u: 0.5, side: 'back', drawn: behind }]);
+    const [again] = after([section(0.502, across(8))], both).draft!.sections!;
+    expect(again!.u).toBe(0.502);
+    expect(again!.back).toBe(both.draft!.sections![0]!.back);
+  });
+
   it('get a back where it is nearest', () => {
     const behind = {
       type: 'addSection',
