@@ -1,39 +1,23 @@
 /** A stroke on its way from one construction curve to the other: when it is a section, and what it then does to the document. */
 import { apply, type Command } from '../document/command/index.ts';
 import type { Document } from '../document/document.ts';
-import { LIMITS } from '../document/limits.ts';
 import { compose, isUnmoved, place3, unplaced } from '../math/placement.ts';
-import { length2 } from '../math/tuple.ts';
 import type { Stroke, View } from '../stroke/stroke.ts';
 import { type Across, distanceToOther, type Guide, isWithin, progressOf, REACH } from './across.ts';
 import { guideMarks } from './guideMarks.ts';
 import type { Mark } from './marks.ts';
 import { strokeOn } from './penStroke.ts';
-import type { Bench, Pen } from './tool.ts';
+import type { Bench } from './tool.ts';
+import { LEAST_LENGTH, type Trace } from './trace.ts';
 
-/** Pixels: less is a tap. */
-export const MINIMUM = 12;
 /** of the chord: from here on the stroke is a section, and is shown as one */
 const HALF = 0.5;
 /** points of what is not drawn yet */
 const REST = 16;
 
 /** A stroke that may become a section. */
-export interface Crossing {
-  readonly pens: Pen[];
-  /** px along the path */
-  readonly length: number;
+export interface Crossing extends Trace {
   readonly guide: Guide;
-  readonly view: View;
-}
-
-/** The pen's path is only ever appended to. */
-export function extend(crossing: Crossing, pen: Pen): Crossing {
-  const { pens, length } = crossing;
-  if (pens.length >= LIMITS.samples) return crossing;
-  const last = pens.at(-1) ?? pen;
-  pens.push(pen);
-  return { ...crossing, length: length + length2([pen.x - last.x, pen.y - last.y]) };
 }
 
 export function isSnapped({ guide, pens }: Crossing, { viewport }: Bench): boolean {
@@ -44,7 +28,7 @@ export function isSnapped({ guide, pens }: Crossing, { viewport }: Bench): boole
 /** Words go with the first pixels. */
 export function marksOf(crossing: Crossing, bench: Bench): readonly Mark[] {
   const { guide, length } = crossing;
-  const held = length >= MINIMUM && { near: true, far: isSnapped(crossing, bench) };
+  const held = length >= LEAST_LENGTH && { near: true, far: isSnapped(crossing, bench) };
   return guideMarks(guide, bench.viewport, held ? { held } : {});
 }
 
@@ -52,7 +36,9 @@ export function marksOf(crossing: Crossing, bench: Bench): readonly Mark[] {
 export function isPastMiddle({ guide, pens, length }: Crossing, { viewport }: Bench): boolean {
   const last = pens.at(-1)!;
   return (
-    length >= MINIMUM && progressOf(guide, last, viewport) > HALF && isWithin(guide.across, last, viewport)
+    length >= LEAST_LENGTH &&
+    progressOf(guide, last, viewport) > HALF &&
+    isWithin(guide.across, last, viewport)
   );
 }
 

@@ -59,7 +59,7 @@ function drawing(drawn: Drawn): State {
     name: drawn.length < LEAST_LENGTH ? 'draw.pointing' : 'draw.drawing',
     wet: { pens, on: ground.on, closing: isClosing(drawn) },
     preview: (bench) => previewOf(drawn, bench),
-    move: (more, bench) => over({ ...drawn, ...traced(drawn, more) }, bench),
+    move: (more, bench) => over(traced(drawn, more), bench),
     up(bench) {
       const across = sectionOf(drawn, bench);
       if (across) {
