@@ -268,6 +268,29 @@ describe('strokes in hand', () => {
     expect(after([{ type: 'recreate', id: 'part-1' }, KEEP], ring)).toEqual(ring);
   });
 
+  it('take what is set of their part, and give it back', () => {
+    const inHand = after([...SIDES, section(0.5), KEEP, { type: 'recreate', id: 'part-1' }]);
+    const ids = ['part-1'];
+    const set = after(
+      [
+        { type: 'setPartBrush', ids, change: { colour: '#ff0000', finish: { ambient: 0.5 } } },
+        { type: 'setSurface', ids, change: { back: 'front', detail: { columns: 8 } } },
+      ],
+      inHand,
+    );
+    expect(draftSolids(set)[0]!.colour).toBe('#ff0000');
+    expect(topology(draftSolids(set)[0]!.mesh).watertight).toBe(true);
+    const kept = after([KEEP], set);
+    const { brush, back: behind, detail } = partOf(kept);
+    expect([brush.colour, brush.finish.ambient, behind, detail.columns]).toEqual([
+      '#ff0000',
+      0.5,
+      'front',
+      8,
+    ]);
+    expect(kept.brush).toBe(DEFAULT_BRUSH);
+  });
+
   it('go with their part, and the brush comes back', () => {
     const colour = '#123456';
     const red = after(
