@@ -60,7 +60,7 @@ export interface Bend {
 export interface Detail {
   /** along the construction curves; null: as many as they need */
   readonly rows: number | null;
-  /** across, of a section that goes round once; more of one that turns more (surface/turning.ts) */
+  /** across, per section */
   readonly columns: number;
   /** subdivisions along and across */
   readonly u: number;
@@ -191,16 +191,18 @@ export function withStrokes<F extends Pick<SurfaceForm, 'strokes' | 'sections' |
 
 /** Sections in order, with one more; one at the same place is replaced. */
 export function withSection(sections: readonly Section[], section: Section): readonly Section[] {
-  const others = sections.filter(({ u }) => Math.abs(u - section.u) >= SAME_PLACE);
+  const others = sections.filter(({ u }) => !isSamePlace(u, section.u));
   return [...others, section].sort((a, b) => a.u - b.u);
 }
 
 /** u nearer than this are one place: two sections there would be a step */
 export const SAME_PLACE = 0.01;
 
+export const isSamePlace = (a: number, b: number): boolean => Math.abs(a - b) < SAME_PLACE;
+
 /** One of them is at u, so that another would take its place. */
 export const isThere = (sections: readonly Section[], u: number): boolean =>
-  sections.some((section) => Math.abs(section.u - u) < SAME_PLACE);
+  sections.some((section) => isSamePlace(section.u, u));
 
 /** Index of the section nearest to u; −1 without any. */
 export function nearestSection(sections: readonly Section[], u: number): number {

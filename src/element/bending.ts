@@ -1,5 +1,6 @@
 /** The Bend tool in the hand: what it begins with, and how it ends. */
 import { draftIsWhole } from '../document/build.ts';
+import { recreatedOf } from '../document/command/keep.ts';
 import { type Document, isSurface } from '../document/document.ts';
 import { bendPart, madeBend, withLength } from '../tool/bend.ts';
 import type { Session, ToolName } from './session.ts';
@@ -12,8 +13,10 @@ const before = new WeakMap<Session, ToolName>();
 export function startBend(session: Session): boolean {
   if (session.tool === 'bend' && session.state.bending) return true;
   if (session.document.draft && draftIsWhole(session.document)) {
+    const again = recreatedOf(session.document);
     session.keep();
-    session.select(session.document.parts.slice(-1).map(({ id }) => id));
+    const kept = again ?? session.document.parts.at(-1);
+    session.select(kept ? [kept.id] : []);
   }
   const id = bendable(session.document, session.selection);
   take(session);

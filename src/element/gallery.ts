@@ -44,5 +44,5 @@ export function cards({ samples, opening }: Files, chosen: () => void): Template
     </button></li>`;
   };
   const count = samples.list.length;
-  return html`<ul class="cards" role="list" style="--all:${count <= ROW ? count : Math.ceil(count / 2)};--half:${Math.ceil(count / 2)}">${samples.list.map(card)}</ul>`;
+  return html`<ul class="cards" role="list" style="--all:${count <= ROW ? count : Math.ceil(count / 2)}">${samples.list.map(card)}</ul>`;
 }

@@ -1,17 +1,24 @@
 /** Strokes of a part in hand again, seen as they were drawn, wherever the part is now. */
-import { solidOf } from '../document/build.ts';
+import { draftIsWhole, solidOf } from '../document/build.ts';
 import { isSurface } from '../document/document.ts';
 import { boxOfMesh } from '../document/extent.ts';
 import { placedStroke } from '../document/placedStroke.ts';
 import { viewOnto } from '../tool/sideView.ts';
 import type { Session } from './session.ts';
 
-export function recreatePart(session: Session, id: string): void {
+/** The unfinished form is kept before; one that cannot be stays in hand, and words say so. True: the strokes are in hand. */
+export function recreatePart(session: Session, id: string): boolean {
   const part = session.document.parts.find((other) => other.id === id);
-  const mesh = part && solidOf(part)?.mesh;
-  if (!part || !isSurface(part)) return;
+  if (!part || !isSurface(part)) return false;
+  if (!draftIsWhole(session.document)) {
+    session.keep();
+    return false;
+  }
+  session.run({ type: 'recreate', id });
+  if (session.document.draft?.recreates?.part !== id) return false;
   session.setTool('draw');
   const { plane } = placedStroke(part.strokes[0]!, part.placement);
+  const mesh = solidOf(part)?.mesh;
   if (mesh) session.lookFrom(viewOnto(plane, boxOfMesh(mesh), session));
-  session.run({ type: 'recreate', id });
+  return true;
 }

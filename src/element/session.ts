@@ -242,7 +242,9 @@ export class Session implements Bench, Viewport {
     if (commands.some(({ type }) => type === 'load')) this.bodies.forget();
     this.wantBodies();
     this.select(this.selection);
-    this.hoverAgain();
+    // a finger that was lifted left behind what it saw of the document before
+    if (this.#hovering) this.hoverAgain();
+    else this.#to(this.state.hover?.(null, this));
     this.#hooks.committed(commands, cause);
   }
 

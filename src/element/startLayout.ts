@@ -29,7 +29,6 @@ export const startLayout = css`
   .start.filled ~ .status { flex-direction: row; gap: 0.75rem; bottom: 0.75rem; max-width: none; }
 
   @container (max-width: 1099px) {
-    .cards { grid-template-columns: repeat(var(--half), minmax(0, 1fr)); gap: 0.5rem; }
     .start { --thumb: clamp(3.5rem, 10cqh, 7.5rem); }
     /* beside the named rail */
     .hint { width: auto; margin: 0 0 0 12.5rem; }
@@ -47,8 +46,13 @@ export const startLayout = css`
     .hint { padding-bottom: 0; }
     .hint li b { margin-top: 0.375rem; }
   }
+  /* narrow cards: the longest name fits */
+  @container (max-width: 1499px) {
+    .start .cards { gap: 0.5rem; }
+    .start .cards b { font-size: 0.8125rem; line-height: 1.125rem; }
+  }
   /* one row to be moved sideways */
-  @container (max-width: 699px) or (max-height: 680px) {
+  @container (max-width: 1239px) or (max-height: 780px) {
     .start .cards { grid-template-columns: none; grid-auto-flow: column; grid-auto-columns: minmax(7.5rem, 1fr); overflow-x: auto; scrollbar-width: none; scroll-snap-type: x proximity; padding: 0.25rem; margin: -0.25rem; }
     .start .cards li { scroll-snap-align: start; }
   }

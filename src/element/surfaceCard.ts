@@ -55,8 +55,7 @@ function sections(session: Session, part: SurfacePart): TemplateResult | typeof 
 
 /** With its strokes in hand again, and seen as they were drawn. */
 function drawSection(session: Session, { id }: SurfacePart): void {
-  recreatePart(session, id);
-  session.setTool('section');
+  if (recreatePart(session, id)) session.setTool('section');
 }
 
 function backs(session: Session, parts: readonly SurfacePart[]): TemplateResult {

@@ -368,8 +368,10 @@ export const SECTION_WORDS = {
 /** What the marks of tools say. */
 export const MARK_WORDS = {
   label: { full: 'full', flat: 'flat', hollow: 'hollow', front: 'front', back: 'back' },
-  value: (value: number, unit: '%' | '°' | 'mm') =>
-    unit === '°' ? `${Math.round(value)}°` : `${Math.round(value)} ${unit}`,
+  value: (value: number, unit: '%' | '°' | 'mm') => {
+    if (unit === 'mm') return `${Number(value.toFixed(1))} mm`;
+    return unit === '°' ? `${Math.round(value)}°` : `${Math.round(value)} %`;
+  },
 } as const;
 
 /** Words of what is drawn over forms that are there. */

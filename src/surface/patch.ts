@@ -35,7 +35,7 @@ export interface PatchOptions {
   readonly between: Between;
   /** control spans along the construction curves, about; null: as many as keep within 0.5 % of the chord of them, 16 to 256 */
   readonly rows: number | null;
-  /** control spans across, about; more where sections turn much (turning.ts) */
+  /** control spans across, about */
   readonly columns: number;
   /** how often each of them is halved */
   readonly subdivisions: Times;

@@ -41,6 +41,7 @@ const STILL = 6;
 /** Nothing is being bent: a tap on a part says which. */
 export const choosing: State = {
   name: 'bend.choosing',
+  waits: true,
   down: (pen) => pressed(pen),
   cancel: () => choosing,
 };
@@ -103,7 +104,10 @@ function bending(held: Bending): State {
     marked: (bench) => marksOf(held, bench.document),
     down(pen, bench) {
       const part = surfaceIn(bench.document, held.id);
-      if (!part) return choosing;
+      if (!part) {
+        bench.lookFrom(held.home);
+        return choosing;
+      }
       if (!isSeenAlong(part, held.index, bench.viewport.view)) {
         bench.notify('end-on');
         return undefined;

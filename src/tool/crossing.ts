@@ -1,39 +1,23 @@
 /** A stroke on its way from one construction curve to the other: when it is a section, and what it then does to the document. */
 import { apply, type Command } from '../document/command/index.ts';
 import type { Document } from '../document/document.ts';
-import { LIMITS } from '../document/limits.ts';
 import { compose, isUnmoved, place3, unplaced } from '../math/placement.ts';
-import { length2 } from '../math/tuple.ts';
 import type { Stroke, View } from '../stroke/stroke.ts';
 import { type Across, distanceToOther, type Guide, isWithin, progressOf, REACH } from './across.ts';
 import { guideMarks } from './guideMarks.ts';
 import type { Mark } from './marks.ts';
 import { strokeOn } from './penStroke.ts';
-import type { Bench, Pen } from './tool.ts';
+import type { Bench } from './tool.ts';
+import { LEAST_LENGTH, type Trace } from './trace.ts';
 
-/** Pixels: less is a tap. */
-export const MINIMUM = 12;
 /** of the chord: from here on the stroke is a section, and is shown as one */
 const HALF = 0.5;
 /** points of what is not drawn yet */
 const REST = 16;
 
 /** A stroke that may become a section. */
-export interface Crossing {
-  readonly pens: Pen[];
-  /** px along the path */
-  readonly length: number;
+export interface Crossing extends Trace {
   readonly guide: Guide;
-  readonly view: View;
-}
-
-/** The pen's path is only ever appended to. */
-export function extend(crossing: Crossing, pen: Pen): Crossing {
-  const { pens, length } = crossing;
-  if (pens.length >= LIMITS.samples) return crossing;
-  const last = pens.at(-1) ?? pen;
-  pens.push(pen);
-  return { ...crossing, length: length + length2([pen.x - last.x, pen.y - last.y]) };
 }
 
 export function isSnapped({ guide, pens }: Crossing, { viewport }: Bench): boolean {
@@ -44,7 +28,7 @@ export function isSnapped({ guide, pens }: Crossing, { viewport }: Bench): boole
 /** Words go with the first pixels. */
 export function marksOf(crossing: Crossing, bench: Bench): readonly Mark[] {
   const { guide, length } = crossing;
-  const held = length >= MINIMUM && { near: true, far: isSnapped(crossing, bench) };
+  const held = length >= LEAST_LENGTH && { near: true, far: isSnapped(crossing, bench) };
   return guideMarks(guide, bench.viewport, held ? { held } : {});
 }
 
@@ -52,7 +36,9 @@ export function marksOf(crossing: Crossing, bench: Bench): readonly Mark[] {
 export function isPastMiddle({ guide, pens, length }: Crossing, { viewport }: Bench): boolean {
   const last = pens.at(-1)!;
   return (
-    length >= MINIMUM && progressOf(guide, last, viewport) > HALF && isWithin(guide.across, last, viewport)
+    length >= LEAST_LENGTH &&
+    progressOf(guide, last, viewport) > HALF &&
+    isWithin(guide.across, last, viewport)
   );
 }
 
@@ -60,22 +46,16 @@ export function isPastMiddle({ guide, pens, length }: Crossing, { viewport }: Be
 export function plan(crossing: Crossing, bench: Bench): readonly Command[] | null {
   if (!isPastMiddle(crossing, bench)) return null;
   const stroke = strokeOf(crossing, bench);
-  return stroke && sectionCommands(crossing.guide, stroke, bench.document);
+  return stroke && [sectionCommand(crossing.guide, stroke)];
 }
 
-/** What drawing it does; who had gone back to tubes means a surface again. */
-function sectionCommands({ across, u, side }: Guide, stroke: Stroke, document: Document): readonly Command[] {
-  const { part } = across;
-  const add: Command = {
-    type: 'addSection',
-    u,
-    drawn: { stroke, half: null },
-    ...(side === 'back' && { side }),
-    ...(part !== undefined && { part }),
-  };
-  const isPinned = part === undefined && document.tubesOnly;
-  return isPinned ? [{ type: 'setTubesOnly', on: false }, add] : [add];
-}
+const sectionCommand = ({ across: { part }, u, side }: Guide, stroke: Stroke): Command => ({
+  type: 'addSection',
+  u,
+  drawn: { stroke, half: null },
+  ...(side === 'back' && { side }),
+  ...(part !== undefined && { part }),
+});
 
 function strokeOf({ pens, guide, view }: Crossing, { viewport }: Bench): Stroke | null {
   const stroke = strokeOn(guide.across.plane, pens, view, viewport.size);
@@ -96,7 +76,7 @@ export function previewOf(crossing: Crossing, bench: Bench): Document | null {
   const stroke = strokeOf(crossing, bench);
   if (!stroke) return null;
   const whole = isSnapped(crossing, bench) ? stroke : completed(stroke, crossing.guide);
-  return sectionCommands(crossing.guide, whole, bench.document).reduce(apply, bench.document);
+  return apply(bench.document, sectionCommand(crossing.guide, whole));
 }
 
 /** With points up to q_r(u), or q_l(u). */

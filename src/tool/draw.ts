@@ -8,7 +8,7 @@
 import { draftIsWhole } from '../document/build.ts';
 import { joinsDraft } from '../document/command/addStroke.ts';
 import { apply, type Command } from '../document/command/index.ts';
-import { type Document, isSolid, type Joins, readingOf } from '../document/document.ts';
+import { type Document, isSolid, type Joins, readingOf, staysTubes } from '../document/document.ts';
 import { partsWithDraft } from '../document/draftPart.ts';
 import { length2 } from '../math/tuple.ts';
 import { facingPlane } from '../stroke/plane.ts';
@@ -59,7 +59,7 @@ function drawing(drawn: Drawn): State {
     name: drawn.length < LEAST_LENGTH ? 'draw.pointing' : 'draw.drawing',
     wet: { pens, on: ground.on, closing: isClosing(drawn) },
     preview: (bench) => previewOf(drawn, bench),
-    move: (more, bench) => over({ ...drawn, ...traced(drawn, more) }, bench),
+    move: (more, bench) => over(traced(drawn, more), bench),
     up(bench) {
       const across = sectionOf(drawn, bench);
       if (across) {
@@ -99,10 +99,9 @@ function sectionOf(drawn: Drawn, bench: Bench): readonly Command[] | null {
 
 /** The second stroke of a form joins it wherever it starts. */
 function isSide(document: Document): boolean {
-  const { draft, tubesOnly } = document;
-  return (
-    draft?.strokes.length === 1 && !tubesOnly && readingOf(document) !== 'solid' && draft.form !== 'tube'
-  );
+  const { draft } = document;
+  if (draft?.strokes.length !== 1 || staysTubes(document)) return false;
+  return readingOf(document) !== 'solid' && draft.form !== 'tube';
 }
 
 /** All strokes of a form lie on the plane of its first; others at the depth of what they start on. */

@@ -4,9 +4,10 @@
  */
 import type { Document } from '../document/document.ts';
 import { acrossOf, type Guide, guideAt, isWithin, turned } from './across.ts';
-import { type Crossing, extend, isPastMiddle, MINIMUM, marksOf, plan, previewOf } from './crossing.ts';
+import { type Crossing, isPastMiddle, marksOf, plan, previewOf } from './crossing.ts';
 import { guideMarks } from './guideMarks.ts';
 import type { Bench, Pen, State } from './tool.ts';
+import { LEAST_LENGTH, traced, traceFrom } from './trace.ts';
 
 export const sectioning: State = {
   name: 'section.idle',
@@ -50,7 +51,7 @@ function begun(pen: Pen, bench: Bench, shown: Guide | null): State | undefined {
   const stays = shown?.across.pair === across.pair && isWithin(across, pen, bench.viewport);
   const guide = guideAt(across, pen, bench.viewport) ?? (stays ? turned(shown, pen, bench.viewport) : null);
   if (!guide) bench.notify('off-sides');
-  return guide ? drawing({ pens: [pen], length: 0, guide, view: bench.viewport.view }, bench) : sectioning;
+  return guide ? drawing({ ...traceFrom(pen, bench.viewport.view), guide }, bench) : sectioning;
 }
 
 function drawing(crossing: Crossing, bench: Bench): State {
@@ -58,13 +59,13 @@ function drawing(crossing: Crossing, bench: Bench): State {
   const isShown = isPastMiddle(crossing, bench);
   let preview: Document | null = null;
   return {
-    name: crossing.length < MINIMUM ? 'section.pointing' : 'section.drawing',
+    name: crossing.length < LEAST_LENGTH ? 'section.pointing' : 'section.drawing',
     guide: placeOf(guide),
     wet: { pens, on: null, closing: false },
     marks: marksOf(crossing, bench),
     ...(isUnfinished(guide) && !isShown && { faint: true as const }),
     preview: (now) => (preview ??= previewOf(crossing, now)),
-    move: (more, now) => drawing(more.reduce(extend, crossing), now),
+    move: (more, now) => drawing(traced(crossing, more), now),
     up(now) {
       const commands = plan(crossing, now);
       if (!commands) return guided(guide, now);

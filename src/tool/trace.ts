@@ -24,7 +24,7 @@ export interface Trace {
 export const traceFrom = (pen: Pen, view: View): Trace => ({ pens: [pen], length: 0, reach: 0, view });
 
 /** What a file cannot hold is not drawn. */
-export function traced(trace: Trace, more: readonly Pen[]): Trace {
+export function traced<T extends Trace>(trace: T, more: readonly Pen[]): T {
   const { pens } = trace;
   let { length, reach } = trace;
   const first = pens[0];

@@ -76,6 +76,19 @@ describe('the number of strokes decides', () => {
     expect(readingOf(tube)).toBe('tube');
   });
 
+  it('what makes a surface of strokes that stay tubes is seen at once; strokes in hand leave the others tubes', () => {
+    const on: Command = { type: 'setTubesOnly', on: true };
+    const redraw: Command = { type: 'redrawSection', u: 0.5, drawn: bump };
+    for (const more of [section(0.5), redraw]) {
+      const seen = after([on, add(line(0)), more]);
+      expect(readingOf(seen)).toBe('crossSection');
+      expect(seen.tubesOnly).toBe(false);
+      const inHand = after([add(line(0)), KEEP, on, { type: 'recreate', id: 'part-1' }, more]);
+      expect(readingOf(inHand)).toBe('crossSection');
+      expect(inHand.tubesOnly).toBe(true);
+    }
+  });
+
   it('of parts, too', () => {
     const kept = after([...SIDES, KEEP]);
     const one = after([{ ...section(0.5), part: 'part-1' } as Command], kept);
@@ -96,6 +109,14 @@ describe('sections', () => {
     const document = after([...SIDES, section(0.7), section(0.2), section(0.705, across(3)), KEEP]);
     expect(sectionsOf(document)).toEqual([0.2, 0.705]);
     expect(partOf(document).sections[1]!.front!.stroke).toEqual(across(3));
+  });
+
+  it('keep the back of the one whose place they take', () => {
+    const behind = { stroke: across(-3), half: null };
+    const both = after([...SIDES, section(0.5), { type: 'addSection', u: 0.5, side: 'back', drawn: behind }]);
+    const [again] = after([section(0.502, across(8))], both).draft!.sections!;
+    expect(again!.u).toBe(0.502);
+    expect(again!.back).toBe(both.draft!.sections![0]!.back);
   });
 
   it('get a back where it is nearest', () => {
@@ -245,6 +266,29 @@ describe('strokes in hand', () => {
     expect(after([{ type: 'recreate', id: 'part-1' }, KEEP], tubes)).toEqual(tubes);
     const ring = after([{ ...add(circle(20)), form: 'tube' } as Command, KEEP]);
     expect(after([{ type: 'recreate', id: 'part-1' }, KEEP], ring)).toEqual(ring);
+  });
+
+  it('take what is set of their part, and give it back', () => {
+    const inHand = after([...SIDES, section(0.5), KEEP, { type: 'recreate', id: 'part-1' }]);
+    const ids = ['part-1'];
+    const set = after(
+      [
+        { type: 'setPartBrush', ids, change: { colour: '#ff0000', finish: { ambient: 0.5 } } },
+        { type: 'setSurface', ids, change: { back: 'front', detail: { columns: 8 } } },
+      ],
+      inHand,
+    );
+    expect(draftSolids(set)[0]!.colour).toBe('#ff0000');
+    expect(topology(draftSolids(set)[0]!.mesh).watertight).toBe(true);
+    const kept = after([KEEP], set);
+    const { brush, back: behind, detail } = partOf(kept);
+    expect([brush.colour, brush.finish.ambient, behind, detail.columns]).toEqual([
+      '#ff0000',
+      0.5,
+      'front',
+      8,
+    ]);
+    expect(kept.brush).toBe(DEFAULT_BRUSH);
   });
 
   it('go with their part, and the brush comes back', () => {

@@ -137,3 +137,21 @@ describe('a radius slider', () => {
     expect(session.radius).toBe(11);
   });
 });
+
+describe('a section guide that a finger left', () => {
+  it('goes when the sides go', () => {
+    const session = sessionWith(EMPTY_DOCUMENT);
+    session.size = { width: 800, height: 600 };
+    const side = (x: number) => strokeAlong((t) => [x, 60 * t - 30]);
+    for (const x of [-30, 30]) session.commit([{ type: 'addStroke', stroke: side(x) }]);
+    session.setTool('section');
+    const finger = { x: 310, y: 300, pressure: 0.5, tiltX: 0, tiltY: 0, time: 0, pointer: 'touch' } as const;
+    session.down(finger);
+    session.up();
+    expect(session.state.guide?.u).toBeCloseTo(0.5, 1);
+    session.undo();
+    expect(session.document.draft!.strokes).toHaveLength(1);
+    expect(session.state.guide).toBeUndefined();
+    expect(session.state.marks).toBeUndefined();
+  });
+});

@@ -28,7 +28,7 @@ import {
   smoothStroke,
   TILTED,
 } from './curves.ts';
-import { comb, mushroom, roof } from './outlines.ts';
+import { comb, mushroom, roof, wave } from './outlines.ts';
 import { arch, bumpy, DIAMOND, oval, ridge } from './sections.ts';
 
 const OPTIONS: PatchOptions = { between: 'cubic', rows: null, columns: 16, subdivisions: { u: 1, v: 1 } };
@@ -435,4 +435,35 @@ describe('random strokes and sections (seed 558)', () => {
       { seed: 558, numRuns: 60 },
     );
   }, 60_000);
+});
+
+describe('sections of many folds', () => {
+  const curves = [line([-10, 0], [-10, 60]), line([10, 0], [10, 60])];
+  const folds = wave(0.2, 12);
+  const worst = (options: Partial<PatchOptions>): number => {
+    const { rows, columns } = patch(
+      curves,
+      [
+        [0.3, folds],
+        [0.7, folds],
+      ],
+      options,
+    );
+    const row = rows.find((found) => Math.abs(found.at.u - 0.3) < 1e-9)!;
+    return Math.max(
+      ...columns.vs.map((v, j) => {
+        const [x, y] = folds.point(v);
+        const [px, , pz] = at(row, j);
+        return length3([px / 10 - x, 0, pz / 10 - y]);
+      }),
+    );
+  };
+
+  test('get the columns they need where rows come by themselves', () => {
+    expect(worst({ columns: 16, subdivisions: { u: 0, v: 2 } })).toBeLessThan(0.02);
+  });
+
+  test('keep to what was asked for where rows were set', () => {
+    expect(worst({ rows: 12, columns: 16, subdivisions: { u: 0, v: 2 } })).toBeGreaterThan(0.02);
+  });
 });

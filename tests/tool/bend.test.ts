@@ -148,3 +148,13 @@ describe('which part', () => {
     expect(bendsOf(hand)[0]).not.toBe(old);
   });
 });
+
+test('of a part that is gone brings the camera back, too', () => {
+  const hand = ball();
+  const home = hand.view;
+  hand.state = bendPart(hand, 'part-1', 0);
+  hand.undo();
+  hand.down(400, 300);
+  expect(hand.state).toBe(choosing);
+  expect(hand.view).toEqual(home);
+});

@@ -153,6 +153,14 @@ describe('draw', () => {
     expect(draftIsWhole(hand.document)).toBe(true);
   });
 
+  it('draws the other side of a tube in hand, even while new strokes stay tubes', () => {
+    hand.draw(LEFT);
+    hand.commit([{ type: 'keep' }, { type: 'setTubesOnly', on: true }, { type: 'recreate', id: 'part-1' }]);
+    hand.hit = { point: [3, 4, 25], normal: [0, 0, 1], id: 'part-1' };
+    hand.draw(RIGHT);
+    expect(readingOf(hand.document)).toBe('rotational');
+  });
+
   describe('silhouettes', () => {
     it('are solids while they are closed, and tubes again when pulled away', () => {
       hand.trace(RING.slice(0, 40));

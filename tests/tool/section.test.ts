@@ -199,9 +199,13 @@ describe('a stroke across', () => {
       { type: 'setTubesOnly', on: true },
     ] as const) {
       hand.commit([command]);
+      const before = hand.document;
       hand.draw(ACROSS);
       expect(readingOf(hand.document)).toBe('crossSection');
       expect(hand.document.tubesOnly).toBe(false);
+      hand.undo();
+      expect(hand.document).toBe(before);
+      hand.draw(ACROSS);
     }
   });
 });

@@ -1,5 +1,6 @@
 import type { Document } from '../document.ts';
 import {
+  isSamePlace,
   nearestSection,
   type Section,
   type SectionStroke,
@@ -17,7 +18,7 @@ export interface Data extends Whose {
   readonly side?: 'front' | 'back';
 }
 
-/** A cross section drawn from one construction curve to the other (thesis 5.4); in the place of one that is there already. */
+/** A cross section drawn from one construction curve to the other (thesis 5.4); in the place of one that is there already, whose back stays. */
 export const addSection: CommandKind<'addSection', Data> = {
   type: 'addSection',
   apply: (document, { u, drawn, side = 'front', ...whose }) =>
@@ -27,7 +28,8 @@ export const addSection: CommandKind<'addSection', Data> = {
 };
 
 function withFront(form: SurfaceForm, u: number, front: SectionStroke): SurfaceForm {
-  const section: Section = { u, front, back: null, redraws: [] };
+  const old = form.sections.find((section) => isSamePlace(section.u, u));
+  const section: Section = { u, front, back: old?.back ?? null, redraws: [] };
   return { ...form, sections: withSection(form.sections, section) };
 }
 

@@ -6,6 +6,7 @@ import {
   type Reading,
   readingOf,
   type SurfacePart,
+  staysTubes,
 } from '../document.ts';
 import { isFormInReach } from '../inReach.ts';
 import { LIMITS } from '../limits.ts';
@@ -46,7 +47,8 @@ export function changeForm(document: Document, { part }: Whose, change: Change, 
   // of solids only the strokes can change
   if (kind === 'solid' && !isSameBut(next, form)) return document;
   if (goesOn && !isCounted(next, kindOfStrokes(next))) return document;
-  return { ...document, draft: draftWith(draft, next, goesOn) };
+  const tubesOnly = document.tubesOnly && !(goesOn && staysTubes(document));
+  return { ...document, tubesOnly, draft: draftWith(draft, next, goesOn) };
 }
 
 function changedPart(part: SurfacePart, change: Change, goesOn: boolean): SurfacePart {

@@ -27,3 +27,7 @@ export const recreate: CommandKind<'recreate', Data> = {
   },
   describe: (document: Document, { id }) => `strokes of ${nameOf(document, [id])} in hand`,
 };
+
+/** Strokes of one of these parts are in hand. */
+export const isInHand = ({ draft }: Document, ids: readonly string[]): boolean =>
+  draft?.recreates !== undefined && ids.includes(draft.recreates.part);

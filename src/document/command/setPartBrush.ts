@@ -3,7 +3,8 @@ import { type BrushChange, changedBrush } from '../finish.ts';
 import { type Group, withGroups } from '../solid.ts';
 import { changeParts, nameOf } from './changeParts.ts';
 import type { CommandKind } from './index.ts';
-import { brushWords } from './setBrush.ts';
+import { isInHand } from './recreate.ts';
+import { brushWords, setBrush } from './setBrush.ts';
 
 export interface Data {
   readonly ids: readonly string[];
@@ -14,8 +15,11 @@ export interface Data {
 export const setPartBrush: CommandKind<'setPartBrush', Data> = {
   type: 'setPartBrush',
   apply(document, { ids, change: { finish, ...change } }) {
-    const next = set(document, ids, change);
-    return finish ? set(next, wholeIds(document, ids), { finish }) : next;
+    const some = set(document, ids, change);
+    const next = finish ? set(some, wholeIds(document, ids), { finish }) : some;
+    if (!isInHand(document, ids)) return next;
+    // its strokes are seen with the brush in hand, and come back with it
+    return setBrush.apply(next, { change: finish ? { ...change, finish } : change });
   },
   describe: (document, { ids, change }) =>
     `${brushWords(Object.keys(change) as (keyof Brush)[])} of ${nameOf(document, ids)}`,

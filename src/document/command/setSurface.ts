@@ -3,6 +3,7 @@ import type { Back, Between, Detail, SurfaceForm } from '../surfacePart.ts';
 import { changeForm } from './changeForm.ts';
 import { nameOf } from './changeParts.ts';
 import type { CommandKind } from './index.ts';
+import { isInHand } from './recreate.ts';
 
 export interface Change {
   readonly back?: Back;
@@ -22,7 +23,9 @@ export const setSurface: CommandKind<'setSurface', Data> = {
   apply(document, { ids, change }) {
     const set = (form: SurfaceForm) => changed(form, change);
     if (!ids) return changeForm(document, {}, set);
-    return ids.reduce((next, part) => changeForm(next, { part }, set), document);
+    const next = ids.reduce((before, part) => changeForm(before, { part }, set), document);
+    // its strokes are seen as they are in hand, and come back so
+    return isInHand(document, ids) ? changeForm(next, {}, set) : next;
   },
   describe: (document: Document, { ids, change }) => {
     const [what = 'nothing'] = (['back', 'between', 'detail'] as const).filter((key) => key in change);
