@@ -111,6 +111,16 @@ describe('sections', () => {
     expect(partOf(document).sections[1]!.front!.stroke).toEqual(across(3));
   });
 
+  it('take the place of the nearest one alone, and stand apart from the others', () => {
+    const behind = { stroke: across(-3), half: null };
+    const two = [section(0.495), section(0.506, across(4)), back('drawn')];
+    const both = after([...SIDES, ...two, { type: 'addSection', u: 0.506, side: 'back', drawn: behind }]);
+    const { sections } = after([section(0.502, across(8))], both).draft!;
+    expect(sections!.map(({ u }) => u)).toEqual([0.495, 0.506]);
+    expect(sections![0]).toBe(both.draft!.sections![0]);
+    expect(sections![1]).toMatchObject({ front: { stroke: across(8) }, back: behind });
+  });
+
   it('keep the back of the one whose place they take', () => {
     const behind = { stroke: across(-3), half: null };
     const both = after([...SIDES, section(0.5), { type: 'addSection', u: 0.5, side: 'back', drawn: behind }]);
