@@ -89,6 +89,21 @@ describe('the number of strokes decides', () => {
     }
   });
 
+  it('tubes take nothing that was drawn across several; a single one keeps its own, and all are as fine as was said', () => {
+    const detail = { ...DEFAULT_DETAIL, columns: 8 };
+    const set: Command = { type: 'setSurface', change: { back: 'front', detail } };
+    const stepped: Command = { type: 'setForm', form: 'tube' };
+    const pair = after([...SIDES, section(0.5), set, stepped]);
+    const kept = after([KEEP], pair);
+    for (const id of ['part-1', 'part-2'])
+      expect(partOf(kept, id)).toMatchObject({ ...PLAIN, kind: 'tube', detail });
+    expect(solids(kept).map(({ mesh }) => mesh)).toEqual(draftSolids(pair).map(({ mesh }) => mesh));
+    const single = after([add(line(0)), section(0.5), set, stepped]);
+    const tube = after([KEEP], single);
+    expect(partOf(tube)).toMatchObject({ kind: 'tube', sections: single.draft!.sections, back: 'front' });
+    expect(meshOf(tube)).toEqual(draftSolids(single)[0]!.mesh);
+  });
+
   it('of parts, too', () => {
     const kept = after([...SIDES, KEEP]);
     const one = after([{ ...section(0.5), part: 'part-1' } as Command], kept);

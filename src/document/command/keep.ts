@@ -8,6 +8,7 @@ import {
   readingOf,
   type SolidPart,
   type SurfacePart,
+  tubesOf,
 } from '../document.ts';
 import { draftPart, joinedOf } from '../draftPart.ts';
 import { isFormInReach } from '../inReach.ts';
@@ -103,13 +104,12 @@ function keptParts(document: Document, first: number): SurfacePart[] {
   const { draft } = document;
   if (!draft || kind === null || kind === 'solid') return [];
   const whole = formOfDraft(draft);
-  const forms = kind === 'tube' ? draft.strokes.map((stroke) => [stroke]) : [draft.strokes];
-  return forms.map((strokes, i) => ({
+  const forms = kind === 'tube' ? tubesOf(whole) : [whole];
+  return forms.map((form, i) => ({
     id: `part-${first + i}`,
     name: `${WORD[kind]} ${first + i}`,
     kind,
-    ...(i === 0 ? whole : PLAIN),
-    strokes,
+    ...form,
     brush: document.brush,
     placement: UNMOVED,
     hidden: false,
