@@ -417,6 +417,30 @@ describe('what is derived', () => {
     expect(quadsOf({ rows: 256, columns: 256, u: 5, v: 5 })).toEqual({ u: 512, v: 512 });
   });
 
+  it('is finer or coarser by a step from where each surface is, as far as it goes', () => {
+    const detail = (u: number, v: number, ids: readonly string[]): Command => ({
+      type: 'setSurface',
+      ids,
+      change: { detail: { u, v } },
+    });
+    const two = after([...SIDES, KEEP, add(line(40)), KEEP]);
+    const apart = after([detail(1, 4, ['part-1']), detail(5, 0, ['part-2'])], two);
+    const ids = ['part-1', 'part-2'];
+    const by = (finer: number): Command => ({ type: 'setSurface', ids, change: { detail: { finer } } });
+    const found = (document: Document) =>
+      ids.map((id) => [partOf(document, id).detail.u, partOf(document, id).detail.v]);
+    expect(found(after([by(1)], apart))).toEqual([
+      [2, 5],
+      [5, 1],
+    ]);
+    expect(found(after([by(-1)], apart))).toEqual([
+      [0, 3],
+      [4, 0],
+    ]);
+    const finest = after([by(5)], apart);
+    expect(after([by(1)], finest)).toBe(finest);
+  });
+
   it('is found again by reference: a part that is moved, named or coloured is not made anew', () => {
     const document = after([...SIDES, section(0.2), section(0.7), KEEP]);
     const shape = shapeOf(partOf(document));
