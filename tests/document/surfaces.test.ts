@@ -285,6 +285,25 @@ describe('strokes in hand', () => {
     expect(parse(serialize({ ...EMPTY_DRAWING, document: more }), 'x').document).toEqual(more);
   });
 
+  const THERE: readonly Command[] = [
+    MOVE,
+    { type: 'scaleParts', ids: ['part-1'], factor: 1.5, about: [4, 5, 6] },
+    { type: 'mirrorParts', ids: ['part-1'], about: [1, 2, 3], normal: [0.48, 0.6, 0.64] },
+  ];
+  it.each(THERE)('go where their part goes, with what was drawn and the bends: $type', (there) => {
+    const plane = hand.draft!.strokes[0]!.plane;
+    const more = [
+      section(0.9, { ...across(2), plane }),
+      { type: 'setBrush', change: { radius: 9 } },
+    ] as const;
+    const wanted = after([...more, KEEP, there], hand);
+    const found = after([...more, there, KEEP], hand);
+    expectNear(range(meshOf(found)), range(meshOf(wanted)), 1e-4);
+    expect(partOf(found).bends).toEqual(partOf(wanted).bends);
+    expect(after([there, KEEP], hand)).toEqual(after([there], kept));
+    expect(after([there, { type: 'drop' }], hand)).toEqual(after([there], kept));
+  });
+
   it('are of the kind the part was, whatever strokes become now', () => {
     const tubes = after([...SIDES, KEEP, { type: 'setTubesOnly', on: true }]);
     expect(readingOf(after([{ type: 'recreate', id: 'part-1' }], tubes))).toBe('rotational');

@@ -86,7 +86,7 @@ function givenBack(part: SurfacePart, drawn: SurfacePart, { brush }: Document): 
 }
 
 /** Planes that the part has already are those, to the bit: what was not changed comes back as it was. */
-function homeOf(part: SurfacePart): (stroke: Stroke) => Stroke {
+export function homeOf(part: SurfacePart): (stroke: Stroke) => Stroke {
   const own = strokesOfForm(part).map((stroke) => ({
     before: stroke.plane,
     after: placedStroke(stroke, part.placement).plane,
