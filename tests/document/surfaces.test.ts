@@ -221,11 +221,33 @@ describe('redrawing', () => {
     }
   });
 
-  it('is of what is seen: sections that a person stepped back from go', () => {
-    const stepped = [...SIDES, section(0.2), section(0.9), { type: 'setForm', form: 'rotational' } as const];
-    const document = after([...stepped, { type: 'redrawSection', u: 0.4, drawn: bump }]);
-    expect(readingOf(document)).toBe('crossSection');
-    expect(document.draft!.sections).toMatchObject([{ u: 0.4, front: null }]);
+  const PAIR = [...SIDES, section(0.2), section(0.6)] as const;
+  const redraw = { type: 'redrawSection', u: 0.4, drawn: bump } as const;
+
+  it('of one section of several is that one’s; the others wait', () => {
+    const stepped = after([...PAIR, { type: 'setForm', form: 'crossSection' }]);
+    const [first, second] = stepped.draft!.sections!;
+    const sections = [first, { ...second, redraws: [bump] }];
+    // nearer to the first, which is not seen
+    const inHand = after([{ ...redraw, u: 0.25 }], stepped);
+    expect(readingOf(inHand)).toBe('crossSection');
+    expect(inHand.draft!.sections).toEqual(sections);
+    const kept = after([KEEP, { ...redraw, u: 0.25, part: 'part-1' }], stepped);
+    expect(partOf(kept)).toMatchObject({ kind: 'crossSection', sections });
+  });
+
+  it('of a round form that a person stepped back to is one more section, and none is lost', () => {
+    for (const form of ['rotational', 'tube'] as const) {
+      const stepped = after([...PAIR, { type: 'setForm', form }]);
+      const [first, second] = stepped.draft!.sections!;
+      const inHand = after([redraw], stepped);
+      expect(readingOf(inHand)).toBe('bspline');
+      expect(inHand.draft!.back).toBe('front');
+      const round = { u: 0.4, front: null, back: null, redraws: [bump] };
+      expect(inHand.draft!.sections).toEqual([first, round, second]);
+      const there = after([{ ...redraw, u: 0.6 }], stepped);
+      expect(there.draft!.sections).toEqual([first, { ...second, redraws: [bump] }]);
+    }
   });
 
   it('here only: the surface stays as it was at its ends', () => {
