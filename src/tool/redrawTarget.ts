@@ -71,8 +71,11 @@ function candidates(document: Document): readonly Candidate[] {
   const kind = readingOf(document);
   if (!draft || !kind || kind === 'solid' || (kind === 'tube' && draft.strokes.length > 1)) return kept;
   const form = formOfDraft(draft);
-  return [{ kind, form, brush, placement: UNMOVED, whose: {}, is: (id) => id.startsWith('draft') }, ...kept];
+  return [{ kind, form, brush, placement: UNMOVED, whose: {}, is: isOfDraft }, ...kept];
 }
+
+/** As `draftSolids` names them; a part of a file may be called anything. */
+const isOfDraft = (id: string): boolean => /^draft-\d+$/.test(id);
 
 const candidateOf = (part: SurfacePart): Candidate => ({
   kind: part.kind,
