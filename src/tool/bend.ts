@@ -18,6 +18,7 @@ import type { Plane, Stroke, View } from '../stroke/stroke.ts';
 import { isBendable } from '../surface/deform.ts';
 import { within } from '../surface/sideView.ts';
 import type { Mark } from './marks.ts';
+import { previewed } from './previewed.ts';
 import { sideView, viewOnto } from './sideView.ts';
 import type { Bench, Pen, State } from './tool.ts';
 import { isClosing, strokeOf, type Trace, traced, traceFrom } from './trace.ts';
@@ -121,17 +122,15 @@ function bending(held: Bending): State {
 }
 
 function drawing(held: Bending, trace: Trace): State {
-  let shown: Document | null = null;
   return {
     name: 'bend.drawing',
     bending: held,
     wet: { pens: trace.pens, on: null, closing: false },
     marked: (bench) => marksOf(held, bench.document, true),
-    preview(bench) {
+    preview: previewed((bench) => {
       const command = commandOf(held, trace, bench);
-      shown ??= command && apply(bench.document, command);
-      return shown;
-    },
+      return command && apply(bench.document, command);
+    }),
     move: (pens) => drawing(held, traced(trace, pens)),
     up(bench) {
       const command = commandOf(held, trace, bench);
