@@ -113,13 +113,17 @@ function bending(held: Bending): State {
         bench.notify('end-on');
         return undefined;
       }
-      return drawing(held, traceFrom(pen, bench.viewport.view));
+      return drawing(stillThere(held, part), traceFrom(pen, bench.viewport.view));
     },
     leave: (bench) => bench.lookFrom(held.home),
     cancel: () => state,
   };
   return state;
 }
+
+/** Where bends beneath it were undone it comes after those that are left, and is a new one. */
+const stillThere = (held: Bending, { bends: { length } }: SurfacePart): Bending =>
+  held.index <= length ? held : { ...held, index: length, old: null };
 
 function drawing(held: Bending, trace: Trace): State {
   return {
