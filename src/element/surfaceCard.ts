@@ -46,7 +46,7 @@ function sections(session: Session, part: SurfacePart): TemplateResult | typeof 
         return html`<div class="tile">
           <button class="pick" aria-pressed=${lit === i} aria-label=${SURFACE_WORDS.light(at)} @click=${() => lightSection(session, part, i)}>
             ${outline ? outlinePicture(outline) : icon('section')}<span>${at}</span></button>
-          ${iconButton('x', SURFACE_WORDS.remove(at), () => remove(i), { class: 'off' })}
+          ${iconButton('x', SURFACE_WORDS.removeSection(at), () => remove(i), { class: 'off' })}
         </div>`;
       })}
       ${strokes.length === 2 ? html`<button class="tile add" @click=${() => drawSection(session, part)}>${icon('plus')}<span>${SURFACE_WORDS.draw}</span></button>` : nothing}
@@ -120,8 +120,8 @@ function bendRow(session: Session, { id, name }: SurfacePart, bend: Bend, index:
   const eye = isOff ? SURFACE_WORDS.bendOn(word) : SURFACE_WORDS.bendOff(word);
   return html`<li class=${isOff ? 'unseen' : ''}>
     <b>${word}</b>
-    <button class="b quiet length" aria-pressed=${keepsLength} title=${SURFACE_WORDS.lengthHint} aria-label="${word} of ${name}: ${SURFACE_WORDS.length[keepsLength ? 'kept' : 'stretched']}"
-      @click=${() => set({ keepsLength: !keepsLength })}>${SURFACE_WORDS.length[keepsLength ? 'kept' : 'stretched']}</button>
+    <button class="b toggle length" aria-pressed=${keepsLength} title=${SURFACE_WORDS.lengthHint} aria-label="${SURFACE_WORDS.lengthKept}, ${word} of ${name}"
+      @click=${() => set({ keepsLength: !keepsLength })}>${SURFACE_WORDS.lengthKept}</button>
     ${iconButton(isOff ? 'eyeOff' : 'eye', eye, () => set({ isOff: !isOff }))}
     ${iconButton('redraw', SURFACE_WORDS.redrawBend(word), () => editBend(session, id, index))}
     ${iconButton('x', SURFACE_WORDS.remove(word), () => set(null))}
