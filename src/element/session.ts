@@ -80,6 +80,8 @@ export const TOOLS = {
 const PATIENCE = 500;
 /** ms: a pen or a slider that is still for so long rests, and what is shown is made finely */
 const REST = 150;
+/** ms: a hint that stays for so long is spoken */
+const CALM = 600;
 /** Commands that make another form of the unfinished strokes. */
 const FORMING = ['addStroke', 'setTubesOnly', 'setForm', 'addSection', 'removeSection', 'setStroke'];
 
@@ -137,6 +139,9 @@ export class Session implements Bench, Viewport {
   /** what moves has been still for a while */
   #rests = false;
   #resting: ReturnType<typeof setTimeout> | undefined;
+  /** the hint that has come to rest, for those who do not see it; '' while it changes */
+  hintAtRest = '';
+  #calming: ReturnType<typeof setTimeout> | undefined;
   /** that were last asked for, and whether roughly */
   #wanted: { readonly nodes: readonly FieldNode[]; readonly isRough: boolean } = {
     nodes: [],
@@ -603,12 +608,25 @@ export class Session implements Bench, Viewport {
     const closes = next.wet !== undefined && next.wet.closing !== (this.state.wet?.closing ?? false);
     const began = closes || shows(next) !== shows(this.state) || hintOf(next) !== hintOf(this.state);
     if ((next.faint ?? false) !== (this.state.faint ?? false)) this.scene?.setFaint(next.faint ?? false);
+    const { hint } = this;
     this.state = next;
+    if (this.hint !== hint) this.#calmHint();
     if (next.waits) this.#waiting = next;
     this.#stir();
     // said once, not at every move
     if (closes) this.said = previewWords(this.shown());
     this.update(began);
+  }
+
+  /** Said once when the pen rests, not at every place it passes. */
+  #calmHint(): void {
+    clearTimeout(this.#calming);
+    this.hintAtRest = '';
+    if (!this.hint) return;
+    this.#calming = setTimeout(() => {
+      this.hintAtRest = this.hint;
+      this.update();
+    }, CALM);
   }
 
   /** It moves, and may rest in a moment. */
