@@ -99,6 +99,21 @@ function rollOf(axis: Vec3, rotation: Quat): number {
   return Math.abs(off) < LEANS ? off : 0;
 }
 
+/** radians: far enough that what lay on edge is seen as an ellipse */
+const TIPS = (35 * PI) / 180;
+
+/** Turned a little, so that a plane that is seen from its edge is seen, from above, or from the right. */
+export function tipped(plane: Plane, view: View): View {
+  const [right, up, back] = UNITS.map((unit) => rotate3(view.rotation, unit)) as [Vec3, Vec3, Vec3];
+  const normal = cross3(plane.x, plane.y);
+  const [across, above] = [dot3(normal, right), dot3(normal, up)];
+  const isAbove = Math.abs(above) > 0.3 ? above > 0 : across > 0;
+  const axis = cross3(back, scale3(normal, isAbove ? 1 : -1));
+  const size = length3(axis);
+  if (!(size > 0)) return view;
+  return { ...view, rotation: turnedBy(about(scale3(axis, 1 / size), TIPS), view.rotation) };
+}
+
 const about = (axis: Vec3, angle: number): Quat => {
   const s = sin(angle / 2);
   return [s * axis[0], s * axis[1], s * axis[2], cos(angle / 2)];
