@@ -382,6 +382,7 @@ export const EDIT_WORDS = {
   drawLine: 'Draw the new centre line',
   bent: (name: string) => `${name} bent`,
   which: 'Tap the part to bend',
+  noneToBend: 'Nothing to bend yet: draw a form first',
   bendFact: (index: number) => `bend ${index + 1}`,
   recreate: 'Recreate',
   recreateHint: 'Back to its strokes: draw on, redraw, remove',
