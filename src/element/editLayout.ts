@@ -11,7 +11,10 @@ export const editLayout = css`
   @container (max-width: 699px) {
     .acts.edit { width: auto; flex-wrap: wrap; justify-content: center; }
     .edit .what { flex: 1 0 100%; min-height: 2.25rem; justify-content: center; }
-    .acts.edit .b { flex: 0 1 auto; padding: 0 0.75rem; }
+    .acts.edit .b { flex: 0 0 auto; padding: 0 0.75rem; }
+    .edit .word { display: none; }
     .edit .segment { flex: 1; }
+    .edit .segment button { padding: 0 0.25rem; }
+    .acts.edit ~ :is(.status, .view) { bottom: calc(12.5rem + env(safe-area-inset-bottom, 0px)); }
   }
 `;

@@ -119,6 +119,11 @@ export const partsLayout = css`
     .acts.docked .b { min-width: 3rem; padding: 0 0.25rem; }
     .acts.docked .elsewhere { display: none; }
     .acts ~ .status { bottom: calc(var(--gap) + 5rem); max-width: 50%; }
+    .acts ~ .view { bottom: calc(var(--gap) + 5rem); }
+  }
+  @container (min-width: 700px) and (max-width: 899px) {
+    .acts:not(.edit, .docked) { left: calc(50% + 2.375rem); }
+    .acts:not(.edit) .b { min-width: 3.25rem; padding: 0 0.125rem; }
   }
   @container (min-width: 1100px) and (max-width: 1399px) {
     .acts.docked ~ .status { bottom: calc(var(--gap) + 5rem); max-width: 40%; }

@@ -640,10 +640,14 @@ export class Session implements Bench, Viewport {
     }, REST);
   }
 
-  notify(notice: ToolNotice, offer: readonly Command[] = []): void {
+  notify(notice: ToolNotice, offer: readonly Command[] = [], from: View | null = null): void {
     if (notice === 'selected') this.saySelection();
     if (notice === 'too-short') this.#offerPoint(offer);
     if (notice in EDIT_WORDS.said) this.said = EDIT_WORDS.said[notice as keyof typeof EDIT_WORDS.said];
+    if (from) {
+      const turn = { label: WORDS.turn, run: () => this.lookFrom(from) };
+      this.notice = { text: this.said, passing: true, actions: [turn] };
+    }
     if (notice === 'no-sides' || notice === 'bent' || notice === 'off-sides')
       this.said = SECTION_WORDS.notAcross[notice];
     if (notice === 'edge-on') {
@@ -803,4 +807,8 @@ export class Session implements Bench, Viewport {
 }
 
 const hintOf = ({ guide, redrawing: held }: State): string =>
-  guide ? SECTION_WORDS.at(Math.round(100 * guide.u), guide.side) : held?.over ? EDIT_WORDS.redrawLit : '';
+  guide
+    ? SECTION_WORDS.at(Math.round(100 * guide.u), guide.side)
+    : held?.over
+      ? EDIT_WORDS.redrawLit[held.over]
+      : '';

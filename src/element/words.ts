@@ -79,6 +79,7 @@ export const WORDS = {
   point: 'Point',
   edgeOn: 'The form’s drawing plane is seen from its edge.',
   turnBack: 'Turn back',
+  turn: 'Turn the view',
   /** what an unfinished form is that no part can be made of */
   encloses: 'encloses nothing',
   tooShortForTube: 'too short',
@@ -384,6 +385,7 @@ export const EDIT_WORDS = {
   drawLine: 'Draw the new centre line',
   bent: (name: string) => `${name} bent`,
   which: 'Tap the part to bend',
+  noneToBend: 'Nothing to bend yet: draw a form first',
   bendFact: (index: number) => `bend ${index + 1}`,
   recreate: 'Recreate',
   recreateHint: 'Back to its strokes: draw on, redraw, remove',
@@ -392,7 +394,7 @@ export const EDIT_WORDS = {
   removeStroke: (n: number) => `Remove stroke ${n}`,
   redraw: 'Redraw',
   redrawKey: 'O',
-  redrawLit: 'Redraw part of the lit outline',
+  redrawLit: { section: 'Redraw part of the lit section', side: 'Redraw part of the lit side' },
   redrawHover: 'Draw over a section or a side',
   reach: 'How far it reaches',
   whole: 'Whole form',
@@ -408,7 +410,7 @@ export const EDIT_WORDS = {
     bend: 'Draw the new centre line',
     'bend-what': 'Only surfaces of strokes can be bent',
     'redraw-what': 'Start on a surface of strokes, or on one of its sides',
-    'section-edge-on': 'The section is seen from its edge. Turn the view a little',
+    'section-edge-on': 'Turn the view a little to redraw a section',
     'end-on': 'The axis is seen from its end. Turn the view a little',
   },
 } as const;

@@ -41,7 +41,13 @@ export type Lit =
   | (Common & { readonly kind: 'side'; readonly index: number; readonly old: Stroke });
 
 /** Why there is none. */
-export type NotLit = 'redraw-what' | 'section-edge-on';
+export type NotLit = 'redraw-what' | EdgeOn;
+
+/** The section there is seen from its edge. */
+export interface EdgeOn {
+  readonly kind: 'edge-on';
+  readonly plane: Plane;
+}
 
 interface Candidate extends Seen {
   readonly whose: Whose;
@@ -187,8 +193,8 @@ function sectionOf(
   if (u === null) return null;
   const loop = sectionLoop(of, local ? u : ownPlace(of, u));
   if (!loop) return null;
-  if (isEdgeOn(loop.plane, view)) return 'section-edge-on';
   const { points, closed, plane } = loop;
+  if (isEdgeOn(plane, view)) return { kind: 'edge-on', plane };
   return { kind: 'section', whose: of.whose, loop, points, closed, plane };
 }
 

@@ -101,3 +101,12 @@ test('strokes in hand go back to their part, and that is bent, whatever was made
   expect(session.selection).toEqual(['part-1']);
   expect(session.state.bending?.id).toBe('part-1');
 });
+
+test('where there is nothing to bend words say so, and the pen draws on', () => {
+  const session = new Session({ changed() {}, drawn() {}, committed() {}, selected() {}, moded() {} });
+  session.frames.asleep = true;
+  session.open(EMPTY_DRAWING, { fresh: true });
+  startBend(session);
+  expect(session.tool).toBe('draw');
+  expect(session.said).toContain('draw a form first');
+});

@@ -83,6 +83,26 @@ describe('what is lit', () => {
     ]);
     expect(driver.notices.at(-1)).toBe('section-edge-on');
   });
+
+  test('which is said once when the pen hovers there, with a view from where it is seen', () => {
+    const driver = hand();
+    for (const x of [390, 395, 400]) hover(driver, x, 320);
+    expect(driver.notices).toEqual(['section-edge-on']);
+    driver.view = driver.from!;
+    hover(driver, 400, 320);
+    expect(driver.state.redrawing?.over).toBe('section');
+    // from above
+    expect(rotate3(driver.view.rotation, [0, 0, 1])[1]).toBeGreaterThan(0.5);
+  });
+
+  test('at hover is what is drawn over, wherever about the pen lands', () => {
+    const driver = hand(ABOVE);
+    hover(driver, 400, 320);
+    const before = lit(driver);
+    const pen = { pressure: 0.5, tiltX: 0, tiltY: 0, time: 0, pointer: 'pen' } as const;
+    driver.state = driver.state.down!({ ...pen, x: 404, y: 329 }, driver)!;
+    expect(lit(driver)).toEqual(before);
+  });
 });
 
 describe('what is drawn', () => {
