@@ -386,7 +386,8 @@ export const EDIT_WORDS = {
   recreateHint: 'Back to its strokes: draw on, redraw, remove',
   strokes: 'Strokes',
   stroke: (n: number) => `Stroke ${n}`,
-  removeStroke: (n: number) => `Remove stroke ${n}`,
+  removeStroke: (n: number, what: 'side' | 'front' | 'back' | 'redraw') =>
+    `Remove stroke ${n}, ${{ side: 'a side', front: 'a section', back: 'a back', redraw: 'a redrawing' }[what]}`,
   redraw: 'Redraw',
   redrawKey: 'O',
   redrawLit: 'Redraw part of the lit outline',
