@@ -34,8 +34,11 @@ export const setForm: CommandKind<'setForm', Data> = {
       ? document
       : { ...document, draft: next };
   },
-  describe: (_document: Document, { form, joins, carves }) => {
-    if (form) return `${WORD[form].toLowerCase()} from the strokes`;
+  describe: (document: Document, change) => {
+    const { form, joins, carves } = change;
+    // the number of strokes decides, and what it decides has a name
+    const made = form === null ? readingOf(setForm.apply(document, change)) : form;
+    if (made) return `${WORD[made].toLowerCase()} from the strokes`;
     if (joins !== undefined) return joins ? 'joined' : 'a part of its own';
     return carves ? 'carving' : 'form of the strokes';
   },
