@@ -146,11 +146,25 @@ export function strokesOfForm({
   bends,
 }: Pick<SurfaceForm, 'strokes' | 'sections' | 'bends'>): readonly Stroke[] {
   if (sections.length === 0 && bends.length === 0) return strokes;
-  const ofSections = sections.flatMap(({ front, back, redraws }) =>
-    [front, back, ...redraws].flatMap((drawn) => (drawn ? [drawn.stroke] : [])),
-  );
+  const ofSections = strokesOfSections(sections).map(({ drawn }) => drawn.stroke);
   return [...strokes, ...ofSections, ...bends.map(({ stroke }) => stroke)];
 }
+
+/** A stroke of one of the sections. */
+export interface OfSection {
+  /** its index */
+  readonly section: number;
+  readonly as: 'front' | 'back' | 'redraw';
+  readonly drawn: SectionStroke;
+}
+
+/** In the order in which they are counted: of each section the front, the back, and what was drawn over it. */
+export const strokesOfSections = (sections: readonly Section[]): readonly OfSection[] =>
+  sections.flatMap(({ front, back, redraws }, section) => [
+    ...(front ? [{ section, as: 'front', drawn: front } as const] : []),
+    ...(back ? [{ section, as: 'back', drawn: back } as const] : []),
+    ...redraws.map((drawn) => ({ section, as: 'redraw', drawn }) as const),
+  ]);
 
 /** Made of strokes alone, with nothing set: all that there was before there were sections. */
 export const isPlain = ({ sections, back, between, bends, detail }: Omit<SurfaceForm, 'strokes'>): boolean =>

@@ -3,7 +3,7 @@ import { css, html, nothing, svg, type TemplateResult } from 'lit';
 import { BACKS, type Back } from '../document/surfacePart.ts';
 import { type Across, acrossOf } from '../tool/across.ts';
 import { type Actions, iconButton } from './controls.ts';
-import { lacksBack } from './draftWords.ts';
+import { backsToDraw } from './draftWords.ts';
 import { type SegmentChoice, segment } from './editSegment.ts';
 import { type IconName, icon } from './icons.ts';
 import type { Session } from './session.ts';
@@ -32,14 +32,16 @@ export function acrossCard(session: Session, actions: Actions): TemplateResult |
   };
   return html`<section class="across card chrome" part="panel" aria-label=${SECTION_WORDS.title}>
     <header>${icon('section')}<h2>${SECTION_WORDS.title}</h2>${iconButton('x', 'Close', close)}</header>
-    <p>${words(session, found)}</p>
-    ${across ? html`${looks(session)}<div class="foot"><h3>${SECTION_WORDS.back}</h3>${backs(session, across)}</div>` : nothing}
+import { type Actions, iconButton } from './controls.ts';
+import { backsToDraw } from './draftWords.ts';
+import { type SegmentChoice, segment } from './editSegment.ts';
   </section>`;
 }
 
-function words(session: Session, found: ReturnType<typeof acrossOf>): string {
+function words(found: ReturnType<typeof acrossOf>): string {
   if (typeof found === 'string') return SECTION_WORDS.notAcross[found];
-  return lacksBack(session.document) ? SECTION_WORDS.backText : SECTION_WORDS.text;
+  const places = backsToDraw(found);
+  return places === null ? SECTION_WORDS.text : SECTION_WORDS.backText(places);
 }
 
 const backs = (session: Session, { part, back: now }: Across): TemplateResult =>

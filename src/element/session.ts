@@ -47,7 +47,7 @@ import type { Viewport } from '../tool/viewport.ts';
 import { Bodies, type News } from './bodies.ts';
 import { CameraMoves } from './cameraMoves.ts';
 import { draftProblem } from './draftProblem.ts';
-import { lacksBack, longName, previewWords, rememberStart, shortName } from './draftWords.ts';
+import { awaitedBack, longName, previewWords, rememberStart, shortName } from './draftWords.ts';
 import type { Cause } from './events.ts';
 import { Exact } from './exact.ts';
 import { isCastable, pickedAmong, pickedOn } from './exactPick.ts';
@@ -84,6 +84,9 @@ const REST = 150;
 const CALM = 600;
 /** Commands that make another form of the unfinished strokes. */
 const FORMING = ['addStroke', 'setTubesOnly', 'setForm', 'addSection', 'removeSection', 'setStroke'];
+
+const isRemoval = (command: Command): boolean =>
+  command.type === 'removeSection' || (command.type === 'setStroke' && command.stroke === null);
 
 export type ToolName = keyof typeof TOOLS;
 
@@ -228,7 +231,7 @@ export class Session implements Bench, Viewport {
     this.said = said;
     for (const command of commands)
       if (command.type === 'addStroke' && command.joins) rememberStart(command.stroke, command.joins);
-    if (commands.some(({ type }) => FORMING.includes(type))) this.#sayPreview();
+    this.#sayForm(commands);
     if (commands.some(({ type }) => type === 'addStroke')) this.#sayCrossings();
     this.#replaced(before, commands, 'command');
   }
@@ -450,11 +453,14 @@ export class Session implements Bench, Viewport {
     this.commit([command]);
   }
 
-  #sayPreview(): void {
-    if (!readingOf(this.document)) return;
+  /** What the unfinished form is now; what went of it was said. */
+  #sayForm(commands: readonly Command[]): void {
+    const back = awaitedBack(this.document, commands);
+    if (back) this.said = SECTION_WORDS.nowBack(back);
+    if (back || !commands.some(({ type }) => FORMING.includes(type)) || !readingOf(this.document)) return;
     const problem = draftProblem(this.document);
-    if (!problem && lacksBack(this.document)) this.said = SECTION_WORDS.nowBack;
-    else this.said = problem ? `${longName(this.document)}: ${problem}` : previewWords(this.document);
+    if (problem) this.said = `${longName(this.document)}: ${problem}`;
+    else if (!commands.every(isRemoval)) this.said = previewWords(this.document);
   }
 
   /** Nothing drawn is lost: what goes round something twice is filled once. */

@@ -346,8 +346,10 @@ export const SECTION_WORDS = {
   across: 'Draw across – From one side to the other',
   at: (percent: number, side: 'front' | 'back') =>
     side === 'back' ? `Draw the back at ${percent} %` : `Draw a section at ${percent} %`,
-  nowBack: 'Now draw its back, the dashed side',
-  backText: 'The next stroke across is the back of the section there.',
+  nowBack: (places: string) => `Now draw the back ${places}, the dashed side`,
+  backText: (places: string) =>
+    `Near the section ${places} a stroke is its back, the dashed side; elsewhere it is a new section.`,
+  places: (percents: readonly number[]) => `at ${percents.map((percent) => `${percent} %`).join(' or ')}`,
   notAcross: {
     'no-sides': 'Draw two sides first, then across them',
     'edge-on': 'The form’s drawing plane is seen from its edge.',
@@ -391,7 +393,8 @@ export const EDIT_WORDS = {
   recreateHint: 'Back to its strokes: draw on, redraw, remove',
   strokes: 'Strokes',
   stroke: (n: number) => `Stroke ${n}`,
-  removeStroke: (n: number) => `Remove stroke ${n}`,
+  removeStroke: (n: number, what: 'side' | 'front' | 'back' | 'redraw') =>
+    `Remove stroke ${n}, ${{ side: 'a side', front: 'a section', back: 'a back', redraw: 'a redrawing' }[what]}`,
   redraw: 'Redraw',
   redrawKey: 'O',
   redrawLit: { section: 'Redraw part of the lit section', side: 'Redraw part of the lit side' },

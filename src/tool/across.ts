@@ -20,6 +20,8 @@ import type { Viewport } from './viewport.ts';
 
 /** px from a construction curve in which it is meant */
 export const REACH = 24;
+/** px along a construction curve from a section without a back in which that is meant */
+const BACK_REACH = 48;
 /** px: across less nothing can be drawn */
 const LEAST_CHORD = 12;
 
@@ -101,18 +103,35 @@ export function guideAt(
   const [near, found] =
     left!.distance <= right!.distance ? ['left' as const, left!] : ['right' as const, right!];
   if (!(found.distance <= REACH)) return null;
-  const guide = guideThrough(across, found.u, near);
+  const guide = guideThrough(across, found.u, near, viewport);
   const [a, b] = endsOf(guide, viewport);
   return a && b && distance2(a, b) >= least ? guide : null;
 }
 
-/** A back goes to the section that it is nearest to, once. */
-export function guideThrough(across: Across, u: number, near: SideName): Guide {
+/** Within reach of a section that lacks its back it is that; anywhere else a section of its own. */
+function guideThrough(across: Across, u: number, near: SideName, viewport: Viewport): Guide {
   const section = across.sections[nearestSection(across.sections, u)];
-  const isBack = across.back === 'drawn' && section?.front && !section.back;
+  const isBack = section && lacksBack(across, section) && isBeside(across, [u, section.u], near, viewport);
   const place = isBack ? section.u : u;
   const { left, right } = across.pair.at(place, 1);
   return { across, u: place, left, right, near, side: isBack ? 'back' : 'front' };
+}
+
+/** Sections whose backs are still to be drawn. */
+export const lackingBacks = (across: Pick<Across, 'sections' | 'back'>): readonly Section[] =>
+  across.sections.filter((section) => lacksBack(across, section));
+
+const lacksBack = ({ back: of }: Pick<Across, 'back'>, { front, back }: Section): boolean =>
+  of === 'drawn' && front !== null && back === null;
+
+function isBeside(
+  across: Across,
+  [a, b]: readonly [number, number],
+  near: SideName,
+  { view, size }: Viewport,
+): boolean {
+  const [p, q] = [a, b].map((u) => project(view, size, toWorld(across.plane, across.pair.at(u, 1)[near])));
+  return Boolean(p && q && distance2(p, q) <= BACK_REACH);
 }
 
 /** Taken hold of at the end that is nearer to the pen. */

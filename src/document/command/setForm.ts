@@ -35,8 +35,11 @@ export const setForm: CommandKind<'setForm', Data> = {
     const isSame = JSON.stringify(said(next)) === JSON.stringify(said(draft));
     return isSame && tubesOnly === document.tubesOnly ? document : { ...document, tubesOnly, draft: next };
   },
-  describe: (_document: Document, { form, joins, carves }) => {
-    if (form) return `${WORD[form].toLowerCase()} from the strokes`;
+  describe: (document: Document, change) => {
+    const { form, joins, carves } = change;
+    // the number of strokes decides, and what it decides has a name
+    const made = form === null ? readingOf(setForm.apply(document, change)) : form;
+    if (made) return `${WORD[made].toLowerCase()} from the strokes`;
     if (joins !== undefined) return joins ? 'joined' : 'a part of its own';
     return carves ? 'carving' : 'form of the strokes';
   },
