@@ -122,8 +122,8 @@ export const partsLayout = css`
     .acts ~ .view { bottom: calc(var(--gap) + 5rem); }
   }
   @container (min-width: 700px) and (max-width: 899px) {
-    .acts:not(.edit, .docked) { left: calc(50% + 2.375rem); }
-    .acts:not(.edit) .b { min-width: 3.25rem; padding: 0 0.125rem; }
+    .acts:not(.edit, .docked) { left: calc(50% + 2.375rem); width: max-content; }
+    .acts:not(.edit, .docked) .b { min-width: 3.25rem; padding: 0 0.25rem; }
   }
   @container (min-width: 1100px) and (max-width: 1399px) {
     .acts.docked ~ .status { bottom: calc(var(--gap) + 5rem); max-width: 40%; }

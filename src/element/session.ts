@@ -53,6 +53,7 @@ import { Exact } from './exact.ts';
 import { isCastable, pickedAmong, pickedOn } from './exactPick.ts';
 import { type Flaw, flawsIn } from './flaws.ts';
 import { Frames } from './frames.ts';
+import { marginsInHand } from './margins.ts';
 import type { NoPicture } from './noPicture.ts';
 import type { Picked } from './picked.ts';
 import { Rays } from './rays.ts';
@@ -178,6 +179,10 @@ export class Session implements Bench, Viewport {
 
   get viewport(): Viewport {
     return this;
+  }
+
+  room(): Margins {
+    return marginsInHand(this.margins(), this.size);
   }
 
   get view(): View {

@@ -15,7 +15,7 @@ const LEANS = PI / 6;
 /** part of the picture that is left free at each side, unless controls cover more */
 const AIR = 0.1;
 
-type Looking = Pick<Viewport, 'view' | 'size' | 'margins'>;
+type Looking = Pick<Viewport, 'view' | 'size' | 'room'>;
 
 /** `line`: the centre line, `plane`: on which it was drawn, `box`: around the part; all in the world. */
 export function sideView(line: readonly Vec3[], plane: Plane, box: Box, viewport: Looking): View {
@@ -35,7 +35,7 @@ export const viewOnto = ({ x, y }: Plane, box: Box, viewport: Looking): View =>
 /** The part in the middle of what the controls leave free, as large as it was; smaller only where it would not fit. */
 function around(box: Box, rotation: Quat, viewport: Looking): View {
   const { view, size } = viewport;
-  const { left, right, top, bottom } = viewport.margins?.() ?? {
+  const { left, right, top, bottom } = viewport.room?.() ?? {
     left: AIR,
     right: AIR,
     top: AIR,
