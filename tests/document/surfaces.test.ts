@@ -432,6 +432,11 @@ describe('what is derived', () => {
     expect(topology(mesh({ sections })).watertight).toBe(false);
   });
 
+  it('is larger by as much as its section is higher', () => {
+    const of = (dip: number) => volume(mesh({ sections: one(across(dip)), back: 'front' }));
+    expect(of(9) / of(6)).toBeCloseTo(1.5, 3);
+  });
+
   it('keeps half chords: a section on its own plane is as large as it was drawn', () => {
     const front = { half: 10, stroke: strokeAlong((t) => [20 * t - 10, 4 * 5 * t * (1 - t)]) };
     const { max } = bounds(mesh({ sections: [{ u: 0.5, front, back: null, redraws: [] }] }));
