@@ -7,13 +7,14 @@ import { pairOf } from '../document/pairs.ts';
 import { placedStroke } from '../document/placedStroke.ts';
 import { type Back, nearestSection, type Section } from '../document/surfacePart.ts';
 import { type Placement, UNMOVED } from '../math/placement.ts';
-import { distance2, dot2, mix2, sub2 } from '../math/tuple.ts';
+import { distance2, dot2, sub2 } from '../math/tuple.ts';
 import type { Vec2 } from '../math/vec.ts';
 import { isInside } from '../skeleton/medial/outline.ts';
 import { project, toWorld } from '../stroke/plane.ts';
 import type { Plane } from '../stroke/stroke.ts';
 import type { Pair } from '../surface/pair.ts';
 import { isEdgeOn } from './penStroke.ts';
+import { type Nearest, nearestOn, PIECES, rememberedBy, type SeenPoints } from './seenCurve.ts';
 import type { Bench, Pen } from './tool.ts';
 import type { Viewport } from './viewport.ts';
 
@@ -23,8 +24,6 @@ export const REACH = 24;
 const BACK_REACH = 48;
 /** px: across less nothing can be drawn */
 const LEAST_CHORD = 12;
-/** pieces a curve is looked at in; the nearest place on them is then exact */
-const PIECES = 128;
 
 /** What sections can be drawn across. */
 export interface Across {
@@ -100,7 +99,7 @@ export function guideAt(
   least = LEAST_CHORD,
 ): Guide | null {
   const at: Vec2 = [pen.x, pen.y];
-  const [left, right] = (['left', 'right'] as const).map((side) => nearestOn(across, side, at, viewport));
+  const [left, right] = (['left', 'right'] as const).map((side) => nearestSide(across, side, at, viewport));
   const [near, found] =
     left!.distance <= right!.distance ? ['left' as const, left!] : ['right' as const, right!];
   if (!(found.distance <= REACH)) return null;
@@ -164,59 +163,34 @@ export function distanceToOther(
   { x, y }: Pick<Pen, 'x' | 'y'>,
   viewport: Viewport,
 ): number {
-  return nearestOn(across, near === 'left' ? 'right' : 'left', [x, y], viewport).distance;
+  return nearestSide(across, near === 'left' ? 'right' : 'left', [x, y], viewport).distance;
 }
 
 /** Between the curves, or within reach of one. */
 export function isWithin(across: Across, { x, y }: Pick<Pen, 'x' | 'y'>, viewport: Viewport): boolean {
   const at: Vec2 = [x, y];
-  const sides = (['left', 'right'] as const).map((side) => nearestOn(across, side, at, viewport).distance);
+  const sides = (['left', 'right'] as const).map((side) => nearestSide(across, side, at, viewport).distance);
   if (Math.min(...sides) <= REACH) return true;
   const { left, right } = seenSides(across, viewport);
   const there = (points: readonly (Vec2 | null)[]) => points.filter((p) => p !== null);
   return isInside(at, [[...there(left), ...there(right).reverse()]]);
 }
 
-interface Nearest {
-  readonly u: number;
-  /** px */
-  readonly distance: number;
-}
+const nearestSide = (across: Across, side: SideName, at: Vec2, viewport: Viewport): Nearest =>
+  nearestOn(seenSides(across, viewport)[side], at);
 
-function nearestOn(across: Across, side: SideName, at: Vec2, viewport: Viewport): Nearest {
-  const points = seenSides(across, viewport)[side];
-  let best: Nearest = { u: 0, distance: Infinity };
-  for (let i = 1; i < points.length; i++) {
-    const [a, b] = [points[i - 1], points[i]];
-    if (!a || !b) continue;
-    const t = alongSegment(at, a, b);
-    const distance = distance2(at, mix2(a, b, t));
-    if (distance < best.distance) best = { u: (i - 1 + t) / PIECES, distance };
-  }
-  return best;
-}
+type Sides = Readonly<Record<SideName, SeenPoints>>;
 
-function alongSegment(p: Vec2, a: Vec2, b: Vec2): number {
-  const ab = sub2(b, a);
-  const square = dot2(ab, ab);
-  return square > 0 ? Math.min(Math.max(dot2(sub2(p, a), ab) / square, 0), 1) : 0;
-}
-
-type Sides = Readonly<Record<SideName, readonly (Vec2 | null)[]>>;
-
-/** By the pair, on one plane in one view: a pen hovers a hundred times a second. */
-const seen = new WeakMap<Pair, { readonly key: string; readonly sides: Sides }>();
+/** By the pair, on one plane in one view. */
+const sidesOf = rememberedBy<Pair, Sides>();
 
 function seenSides({ pair, plane }: Across, { view, size }: Viewport): Sides {
-  const key = JSON.stringify([plane, view, size]);
-  const known = seen.get(pair);
-  if (known?.key === key) return known.sides;
-  const chords = Array.from({ length: PIECES + 1 }, (_, i) => pair.at(i / PIECES, 1));
-  const pixel = (p: Vec2) => project(view, size, toWorld(plane, p));
-  const sides = {
-    left: chords.map(({ left }) => pixel(left)),
-    right: chords.map(({ right }) => pixel(right)),
-  };
-  seen.set(pair, { key, sides });
-  return sides;
+  return sidesOf(pair, [plane, view, size], () => {
+    const chords = Array.from({ length: PIECES + 1 }, (_, i) => pair.at(i / PIECES, 1));
+    const pixel = (p: Vec2) => project(view, size, toWorld(plane, p));
+    return {
+      left: chords.map(({ left }) => pixel(left)),
+      right: chords.map(({ right }) => pixel(right)),
+    };
+  });
 }
