@@ -8,6 +8,7 @@ export const chipLayout = css`
   .chip :is(.forms, .joins) .b { color: var(--ink); font-weight: 600; padding: 0 0.75rem 0 0.5rem; gap: 0.375rem; }
   .chip :is(.forms, .joins) .b.on { color: var(--pencil); background: var(--pencil-soft); }
   .chip .forms { padding-right: 0.375rem; margin-right: 0.25rem; border-right: 1px solid var(--hairline); }
+  .chip .strokes { flex-wrap: wrap; }
   .chip .joins { justify-content: center; border-top: 1px solid var(--hairline); padding-top: 0.25rem; }
   .meter .short { display: none; }
 
@@ -20,9 +21,10 @@ export const chipLayout = css`
   }
   .chip.narrow { max-width: 19rem; }
   .chip.narrow .main { flex-wrap: wrap; }
-  .chip.narrow .main > .text { flex: 1; }
+  .chip.narrow .main > .text { flex: 1 1 auto; }
+
   .chip.narrow .main > .text .word { display: inline; }
-  .chip.narrow .forms { border: 0; margin: 0; padding: 0; flex: 1; justify-content: space-around; }
+  .chip.narrow .forms { border: 0; margin: 0; padding: 0; flex: 1 1 auto; justify-content: space-around; }
   .chip.narrow .forms .b { padding: 0; }
   .chip.narrow .forms .word { display: none; }
   .chip.narrow .joins .b { padding: 0 0.5rem; }

@@ -32,6 +32,9 @@ export function longName(document: Document): string {
   const kind = readingOf(document);
   const word = formWord(document);
   if (kind === 'solid' && word) return FORMS[word].long;
+  // on one stroke sections are carried along a tube
+  if (document.draft?.strokes.length === 1 && (kind === 'crossSection' || kind === 'bspline'))
+    return SECTION_WORDS.onTube(document.draft.sections?.length ?? 0);
   return kind ? SURFACE[kind].long : '';
 }
 
@@ -40,7 +43,8 @@ export function shortName(document: Document): string {
   const again = recreatedOf(document);
   if (again) return again.name;
   const kind = readingOf(document);
-  return kind && kind !== 'solid' && kind !== 'crossSection' ? SURFACE[kind].name : longName(document);
+  const isLong = kind === 'crossSection' || document.draft?.strokes.length === 1;
+  return kind && kind !== 'solid' && !isLong ? SURFACE[kind].name : longName(document);
 }
 
 export function previewWords(document: Document): string {
@@ -48,6 +52,8 @@ export function previewWords(document: Document): string {
   if (again) return RECREATE_WORDS.said(again.name);
   const kind = readingOf(document);
   const sections = document.draft?.sections?.length ?? 0;
+  if (kind !== 'solid' && document.draft?.strokes.length === 1)
+    return SILHOUETTE_WORDS.preview(longName(document));
   if (kind === 'bspline') return `${WORDS.preview(kind)}, ${SECTION_WORDS.sections(sections)}`;
   if (kind && kind !== 'solid') return WORDS.preview(kind);
   const joined = joinedOf(document)?.name ?? null;

@@ -52,6 +52,9 @@ const CONTRAST_PENCIL = '#0033a8';
 /** Nothing in these changes the drawing where people may only look. */
 const LOOKING_PANELS: readonly PanelName[] = ['settings', 'menu', 'help'];
 
+/** px of width below which panels are sheets over the drawing */
+const NARROW = 700;
+
 // What is marked internal is for the controls and is left out of the package’s types.
 export class RotundSketch extends SketchApi {
   /** @internal */
@@ -418,7 +421,9 @@ export class RotundSketch extends SketchApi {
     const box = screenBox(meshes, view, size) ?? strokesBox(document.draft.strokes, view, size);
     const middle = { left: size.width / 2, right: size.width / 2, top: 80, bottom: 80 };
     const { width, height } = size;
-    const free = hasAcrossCard(this.session, this.open) ? { width: width - CARD_WIDTH, height } : size;
+    // a panel lies beside the drawing; on narrow pages it is a sheet over all of it
+    const isBeside = hasAcrossCard(this.session, this.open) || (this.open !== null && width >= NARROW);
+    const free = isBeside ? { width: width - CARD_WIDTH, height } : size;
     return chipPlace(box ?? middle, free, chipSize(document, size, showsBacks(this.session, this.open)));
   }
 

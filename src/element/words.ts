@@ -367,6 +367,7 @@ export const SECTION_WORDS = {
     front: { name: 'As front', hint: 'The front mirrored: a closed form' },
     drawn: { name: 'Drawn', hint: 'A section of its own, drawn next' },
   },
+  onTube: (count: number) => (count === 1 ? 'Tube with a section' : 'Tube with sections'),
   sections: (count: number) => (count === 1 ? '1 section' : `${count} sections`),
   sectionAt: (percent: number) => `section at ${percent} %`,
 } as const;

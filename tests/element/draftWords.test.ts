@@ -116,6 +116,16 @@ describe('a surface with sections', () => {
     expect([shortName(back), fact(back)]).toEqual(['Rotational', '2 strokes']);
   });
 
+  it('is a tube with sections where a side was taken away', () => {
+    const less: Command = { type: 'setStroke', index: 1, stroke: null };
+    const tube = apply(one, less);
+    expect([previewWords(tube), shortName(tube)]).toEqual([
+      'Tube with a section, preview',
+      'Tube with a section',
+    ]);
+    expect(shortName(apply(apply(one, add(0.2)), less))).toBe('Tube with sections');
+  });
+
   it('lacks a back of its own until that is drawn', () => {
     const lacking = ({ draft }: Document) =>
       backsToDraw({ sections: draft!.sections ?? [], back: draft!.back ?? 'none' });
