@@ -2,6 +2,7 @@
  * Sections as outlines in the frame of their chord: strokes filtered like all others, turned about their chords, closed by a back, and
  * drawn over. Cached by reference.
  */
+import { once } from '../math/once.ts';
 import { distance2, dot3, rotate3 } from '../math/tuple.ts';
 import type { Vec2 } from '../math/vec.ts';
 import type { Curve } from '../stroke/curve.ts';
@@ -35,7 +36,7 @@ export function outlinesOf(
 ): readonly PlacedOutline[] {
   const sections = sectionsInForce(kind, form.sections);
   if (sections.length === 0) return [];
-  const source = lazily(() => sourceOf({ ...brush, curves }));
+  const source = once(() => sourceOf({ ...brush, curves }));
   const place = (section: Section): PlacedOutline => ({
     u: placeOf(section),
     outline: outlineIn(section, form.back, brush, source),
@@ -121,23 +122,26 @@ function isTurned({ stroke, half }: SectionStroke, brush: Filter, source: () => 
   const curve = lineOf(stroke, brush);
   if (!curve) return false;
   if (half !== null) return isReversed(curve, [-half, 0], [half, 0]);
+  const known = turns.get(curve);
+  if (known?.source === source()) return known.against;
+  const against = isAgainst(curve, source());
+  turns.set(curve, { source: source(), against });
+  return against;
+}
+
+/** By curves and what they were compared with. */
+const turns = new WeakMap<Curve, { readonly source: Source; readonly against: boolean }>();
+
+function isAgainst(curve: Curve, source: Source): boolean {
   const [a, b] = [curve.point(0), curve.point(1)];
   const away = Array.from({ length: LOOKS + 1 }, (_, i) => {
-    const { left, right } = source().stand(i / LOOKS, 1);
+    const { left, right } = source.stand(i / LOOKS, 1);
     return {
       along: distance2(a, left) + distance2(b, right),
       against: distance2(b, left) + distance2(a, right),
     };
   });
   return Math.min(...away.map(({ against }) => against)) < Math.min(...away.map(({ along }) => along));
-}
-
-function lazily<T>(make: () => T): () => T {
-  let made: { readonly value: T } | null = null;
-  return () => {
-    made ??= { value: make() };
-    return made.value;
-  };
 }
 
 const scaled = (curve: Curve, k: number): Curve => ({

@@ -238,7 +238,8 @@ export const SURFACE_WORDS = {
   sectionsOf: (name: string) => `Sections of ${name}`,
   at: (percent: number) => `at ${percent} %`,
   light: (at: string) => `Section ${at}: show it on the form`,
-  remove: (what: string) => `Remove ${what.startsWith('at') ? `the section ${what}` : what}`,
+  removeSection: (at: string) => `Remove the section ${at}`,
+  remove: (what: string) => `Remove ${what}`,
   draw: 'Draw one',
   between: 'Between sections',
   betweens: {
@@ -251,8 +252,8 @@ export const SURFACE_WORDS = {
   bendOn: (bend: string) => `Put ${bend} in force`,
   bendOff: (bend: string) => `Leave out ${bend}`,
   redrawBend: (bend: string) => `Draw ${bend} anew`,
-  length: { kept: 'Length kept', stretched: 'Stretched' },
-  lengthHint: 'Whether the part keeps its length, or reaches as far as what was drawn',
+  lengthKept: 'Length kept',
+  lengthHint: 'The part keeps its length; else it reaches as far as what was drawn',
   detail: 'Detail',
   coarser: 'Coarser',
   finer: 'Finer',
@@ -281,6 +282,8 @@ export const FINISH_WORDS = {
   finish: 'Finish',
   finishOf: (name: string) => `Finish of ${name}`,
   next: 'this and the next form',
+  finishes: { clay: 'Clay', matt: 'Matt', satin: 'Satin', gloss: 'Gloss', metal: 'Metal', glow: 'Glow' },
+  own: 'Own',
   more: 'More light',
   name: { ambient: 'Ambient', diffuse: 'Diffuse', specular: 'Shine', shininess: 'Shininess' },
   hint: {
@@ -343,8 +346,10 @@ export const SECTION_WORDS = {
   across: 'Draw across – From one side to the other',
   at: (percent: number, side: 'front' | 'back') =>
     side === 'back' ? `Draw the back at ${percent} %` : `Draw a section at ${percent} %`,
-  nowBack: 'Now draw its back, the dashed side',
-  backText: 'The next stroke across is the back of the section there.',
+  nowBack: (places: string) => `Now draw the back ${places}, the dashed side`,
+  backText: (places: string) =>
+    `Near the section ${places} a stroke is its back, the dashed side; elsewhere it is a new section.`,
+  places: (percents: readonly number[]) => `at ${percents.map((percent) => `${percent} %`).join(' or ')}`,
   notAcross: {
     'no-sides': 'Draw two sides first, then across them',
     'edge-on': 'The form’s drawing plane is seen from its edge.',
@@ -388,7 +393,8 @@ export const EDIT_WORDS = {
   recreateHint: 'Back to its strokes: draw on, redraw, remove',
   strokes: 'Strokes',
   stroke: (n: number) => `Stroke ${n}`,
-  removeStroke: (n: number) => `Remove stroke ${n}`,
+  removeStroke: (n: number, what: 'side' | 'front' | 'back' | 'redraw') =>
+    `Remove stroke ${n}, ${{ side: 'a side', front: 'a section', back: 'a back', redraw: 'a redrawing' }[what]}`,
   redraw: 'Redraw',
   redrawKey: 'O',
   redrawLit: { section: 'Redraw part of the lit section', side: 'Redraw part of the lit side' },
@@ -406,7 +412,7 @@ export const EDIT_WORDS = {
   said: {
     bend: 'Draw the new centre line',
     'bend-what': 'Only surfaces of strokes can be bent',
-    'redraw-what': 'Start on a surface of strokes, or on its outline',
+    'redraw-what': 'Start on a surface of strokes, or on one of its sides',
     'section-edge-on': 'Turn the view a little to redraw a section',
     'end-on': 'The axis is seen from its end. Turn the view a little',
   },
@@ -417,7 +423,7 @@ export const KEYS: readonly { readonly keys: string; readonly does: string }[] =
   { keys: 'D', does: 'Draw' },
   { keys: 'L', does: 'Section: draw across a form' },
   { keys: 'V', does: 'Select' },
-  { keys: 'O', does: 'Redraw part of a section or an outline' },
+  { keys: 'O', does: 'Redraw part of a section or a side' },
   { keys: 'B', does: 'Bend what is selected, or was made last' },
   { keys: 'N or Enter', does: 'Keep the form' },
   { keys: 'Esc', does: 'Cancel the stroke, drop the form, let go' },

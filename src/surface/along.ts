@@ -28,8 +28,25 @@ const FEW = 4;
 /** u nearer to each other are one place */
 const SAME = 2e-3;
 
+interface Known {
+  readonly key: string;
+  readonly pieces: readonly KnotPiece[];
+}
+
+/** Of each source the last: it depends on the places of sections alone, not on what is drawn there. */
+const spans = new WeakMap<Source, Known>();
+
 /** Control spans along `source` with sections at `us`; `rows`: about so many, null: as many as it needs. */
-export function alongOf(source: Source, us: readonly number[], rows: number | null): KnotPiece[] {
+export function alongOf(source: Source, us: readonly number[], rows: number | null): readonly KnotPiece[] {
+  const key = JSON.stringify([us, rows]);
+  const known = spans.get(source);
+  if (known?.key === key) return known.pieces;
+  const pieces = spansAlong(source, us, rows);
+  spans.set(source, { key, pieces });
+  return pieces;
+}
+
+function spansAlong(source: Source, us: readonly number[], rows: number | null): KnotPiece[] {
   const { stops, closed } = source;
   const breaks = stops.map(({ u }) => u);
   for (const u of us) if (breaks.every((other) => Math.abs(other - u) > SAME)) breaks.push(u);

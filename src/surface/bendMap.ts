@@ -128,38 +128,62 @@ const inverse = ([[a, b], [c, d]]: Matrix): Matrix => [
 const flat = (v: Vec3): Vec2 => [v[0], v[1]];
 const deep = (v: Vec2, z: number): Vec3 => [v[0], v[1], z];
 
-/** Where `p` goes, in the coordinates of the sheet. */
-export function movePoint(move: Move, view: Side2, p: Vec3): Vec3 {
-  const at = view.point(p);
-  const away = sub2(at, move.from());
-  const still = away[0] === 0 && away[1] === 0;
-  const to = still ? move.to() : add2(times(move.turn(), away), move.to());
-  // what lies along V is not touched
-  return add3(p, view.out(deep(sub2(to, at), 0)));
+/** Where points of the section go, in the coordinates of the sheet. */
+export function pointMove(move: Move, view: Side2): (p: Vec3) => Vec3 {
+  const from = move.from();
+  return (p) => {
+    const at = view.point(p);
+    const away = sub2(at, from);
+    const still = away[0] === 0 && away[1] === 0;
+    const to = still ? move.to() : add2(times(move.turn(), away), move.to());
+    // what lies along V is not touched
+    return add3(p, view.out(deep(sub2(to, at), 0)));
+  };
 }
 
-/** The normal at `p` afterwards; `section` null: the row moves stiffly. */
-export function moveNormal(move: Move, view: Side2, section: Station | null, p: Vec3, normal: Vec3): Vec3 {
-  const n = view.into(normal);
-  const back = transposed(inverse(move.turn()));
-  const carried = (v: Vec3): Vec3 => view.out(deep(times(back, flat(v)), v[2]));
-  const stiff = unit(carried(n)) ?? normal;
-  if (section === null) return stiff;
-  const m = view.into(section.normal);
-  const s = dot3(add3(section.rate, cross3(section.spin, sub3(p, section.centre))), section.normal);
-  const a = times(inverse(move.turn()), strain(move, view.point(p)));
-  const grown = scale3(n, s + dot2(a, flat(m)));
-  const bent = sub3(grown, scale3(m, dot2(a, flat(n))));
-  const size = Math.abs(s) + Math.sqrt(dot2(a, a));
-  if (!(length3(bent) > 1e-12 * size)) return stiff;
-  return unit(carried(scale3(bent, s < 0 ? -1 : 1))) ?? stiff;
+/** Normals at p afterwards; `section` null: the row moves stiffly. What the points of a row share is worked out once. */
+export function normalMove(
+  move: Move,
+  view: Side2,
+  section: Station | null,
+): (p: Vec3, normal: Vec3) => Vec3 {
+  const forth = inverse(move.turn());
+  const carried = carriedBy(transposed(forth), view);
+  const stiff = (n: Vec3): Vec3 => unit(carried(n)) ?? n;
+  if (section === null) return (_, n) => stiff(n);
+  const { centre, normal: m } = section;
+  const pace = dot3(section.rate, m);
+  const sweep = cross3(m, section.spin);
+  const flatM = view.flat(m);
+  const strain = strainOf(move);
+  return (p, n) => {
+    const s = pace + dot3(sweep, sub3(p, centre));
+    const a = times(forth, strain(view.point(p)));
+    const bent = sub3(scale3(n, s + dot2(a, flatM)), scale3(m, dot2(a, view.flat(n))));
+    const size = Math.abs(s) + Math.sqrt(dot2(a, a));
+    if (!(length3(bent) > 1e-12 * size)) return stiff(n);
+    return unit(carried(scale3(bent, s < 0 ? -1 : 1))) ?? stiff(n);
+  };
+}
+
+/** Directions of the sheet by a matrix of the side view. */
+function carriedBy(back: Matrix, view: Side2): (v: Vec3) => Vec3 {
+  const axis = (e: Vec3): Vec3 => {
+    const v = view.into(e);
+    return view.out(deep(times(back, flat(v)), v[2]));
+  };
+  const [x, y, z] = [axis([1, 0, 0]), axis([0, 1, 0]), axis([0, 0, 1])];
+  return ([a, b, c]) => add3(add3(scale3(x, a), scale3(y, b)), scale3(z, c));
 }
 
 /** g: what the section's point gains by u beyond what its turn gives. */
-function strain(move: Move, at: Vec2): Vec2 {
+function strainOf(move: Move): (at: Vec2) => Vec2 {
   const gain = sub2(move.dTo(), times(move.turn(), move.dFrom()));
-  const away = sub2(at, move.from());
-  return away[0] === 0 && away[1] === 0 ? gain : add2(times(move.dTurn(), away), gain);
+  const from = move.from();
+  return (at) => {
+    const away = sub2(at, from);
+    return away[0] === 0 && away[1] === 0 ? gain : add2(times(move.dTurn(), away), gain);
+  };
 }
 
 /** The station afterwards, so that bends stack. Turns about the section's own normal are left out: they move nothing. */
@@ -171,7 +195,7 @@ export function moveStation(move: Move, view: Side2, station: Station): Station 
   const rate = once(() => {
     const before = view.into(station.rate);
     const at = view.point(station.centre);
-    return view.out(deep(add2(times(move.turn(), flat(before)), strain(move, at)), before[2]));
+    return view.out(deep(add2(times(move.turn(), flat(before)), strainOf(move)(at)), before[2]));
   });
   const spin = once(() => {
     const dBack = transposed(inverse(move.dTurn()));
@@ -179,7 +203,7 @@ export function moveStation(move: Move, view: Side2, station: Station): Station 
     const gained = deep(add2(times(back(), flat(dm)), times(dBack, flat(m()))), dm[2]);
     return view.out(cross3(normal(), scale3(gained, 1 / length3(carried()))));
   });
-  const centre = once(() => movePoint(move, view, station.centre));
+  const centre = once(() => pointMove(move, view)(station.centre));
   return {
     get centre() {
       return centre();

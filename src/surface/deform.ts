@@ -9,7 +9,7 @@ import type { Plane } from '../math/plane.ts';
 import type { Vec3 } from '../math/vec.ts';
 import type { Curve } from '../stroke/curve.ts';
 import { type Axis, bendAxis } from './bendAxis.ts';
-import { type Bending, moveAt, moveNormal, movePoint, moveStation } from './bendMap.ts';
+import { type Bending, moveAt, moveStation, normalMove, pointMove } from './bendMap.ts';
 import { type BendPath, bendPath } from './bendPath.ts';
 import { creased, SAME } from './creased.ts';
 import { mitres } from './mitres.ts';
@@ -51,15 +51,16 @@ function bentRow(row: SheetRow, spine: Spine, bending: Bending): SheetRow {
   const { u, rigid } = row.at;
   const inward = insideOf(spine, row.at);
   const move = moveAt(bending, u, inward);
-  const station = rigid ? null : spine.at(u, inward);
+  const movePoint = pointMove(move, bending.view);
+  const moveNormal = normalMove(move, bending.view, rigid ? null : spine.at(u, inward));
   const points = new Float64Array(row.points.length);
   const normals = new Float64Array(row.points.length);
   for (let k = 0; k < points.length; k += 3) {
     const p: Vec3 = [row.points[k]!, row.points[k + 1]!, row.points[k + 2]!];
     const n: Vec3 = [row.normals[k]!, row.normals[k + 1]!, row.normals[k + 2]!];
     // a pole stays one point to the last bit
-    points.set(row.pole && k > 0 ? points.subarray(0, 3) : movePoint(move, bending.view, p), k);
-    normals.set(moveNormal(move, bending.view, station, p, n), k);
+    points.set(row.pole && k > 0 ? points.subarray(0, 3) : movePoint(p), k);
+    normals.set(moveNormal(p, n), k);
   }
   return { ...row, points, normals };
 }

@@ -3,7 +3,7 @@
  * drawing plane towards the person, both in half chords. Convex (drawn below a chord that runs left to right) is y > 0.
  */
 import { cos, PI, sin } from '../math/trig.ts';
-import { cross2, distance2, dot2, scale2, sub2 } from '../math/tuple.ts';
+import { cross2, distance2, dot2, length2, scale2, sub2 } from '../math/tuple.ts';
 import type { Vec2 } from '../math/vec.ts';
 import type { Curve } from '../stroke/curve.ts';
 
@@ -45,19 +45,26 @@ export interface Drawn {
   readonly across: boolean;
 }
 
-/** ends nearer than this part of the stroke have no chord to speak of */
+/** ends nearer than this part of the stroke's length have no chord to speak of, not even a direction */
 const LEAST_CHORD = 0.01;
+/** a stroke reaches at most so many chords: one whose ends nearly meet would tower over its form without end */
+const MOST_REACH = 4;
 
-/** A stroke by its arc length, moved, turned and scaled so that its ends are (−1, 0) and (1, 0); the chord where they meet. */
+/**
+ * A stroke by its arc length, moved, turned and scaled so that its ends are (−1, 0) and (1, 0); the chord where they meet. Where the chord
+ * is shorter than a quarter of the stroke's reach that quarter is the scale, and the ends are drawn apart evenly along the stroke.
+ */
 export function outlineOf(curve: Curve, { reversed, across }: Drawn): Outline {
   const onCurve = (v: number): number => (reversed ? 1 - v : v);
   const start = curve.point(onCurve(0));
-  const chord = sub2(curve.point(onCurve(1)), start);
-  const squared = dot2(chord, chord);
-  if (!(squared > LEAST_CHORD * LEAST_CHORD * curve.length * curve.length)) return straight;
-  const k = 2 / squared;
+  const way = sub2(curve.point(onCurve(1)), start);
+  const chord = length2(way);
+  if (!(chord > LEAST_CHORD * curve.length)) return straight;
+  const scale = Math.max(chord, reachOf(curve, start, chord) / MOST_REACH);
+  const k = 2 / (scale * chord);
+  const apart = 2 - (2 * chord) / scale;
   const up = across ? -k : k;
-  const turned = (p: Vec2): Vec2 => [k * dot2(p, chord), up * cross2(chord, p)];
+  const turned = (p: Vec2): Vec2 => [k * dot2(p, way), up * cross2(way, p)];
   const pace = reversed ? -curve.length : curve.length;
   return {
     closed: false,
@@ -65,12 +72,25 @@ export function outlineOf(curve: Curve, { reversed, across }: Drawn): Outline {
     point: (v) => {
       if (v <= 0 || v >= 1) return v <= 0 ? [-1, 0] : [1, 0];
       const [x, y] = turned(sub2(curve.point(onCurve(v)), start));
-      return [x - 1, y];
+      return [x + apart * v - 1, y];
     },
-    derivative: (v, side) =>
-      scale2(turned(curve.tangent(onCurve(v), reversed ? (side === 1 ? -1 : 1) : side)), pace),
+    derivative: (v, side) => {
+      const tangent = curve.tangent(onCurve(v), reversed ? (side === 1 ? -1 : 1) : side);
+      const [dx, dy] = scale2(turned(tangent), pace);
+      return [dx + apart, dy];
+    },
   };
 }
+
+/** From its start to the farthest of its points; only where that may be far in chords. */
+function reachOf(curve: Curve, start: Vec2, chord: number): number {
+  if (MOST_REACH * chord >= curve.length) return 0;
+  const points = Array.from({ length: LOOKS }, (_, i) => curve.point(i / LOOKS));
+  return Math.max(...points.map((p) => distance2(p, start)));
+}
+
+/** places at which a stroke is looked at for its reach */
+const LOOKS = 64;
 
 /** The end of a stroke that belongs at q_l is the nearer one. */
 export function isReversed(curve: Curve, left: Vec2, right: Vec2): boolean {

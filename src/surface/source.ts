@@ -46,8 +46,30 @@ export interface StandRow {
   readonly joined: boolean;
 }
 
-/** Throws RangeError for other numbers of curves, and for a radius that is not above 0. */
-export function sourceOf({ curves, radius, pressure }: SourceInput): Source {
+interface Known extends Omit<SourceInput, 'curves'> {
+  readonly second: Curve | undefined;
+  readonly source: Source;
+}
+
+const sources = new WeakMap<Curve, readonly Known[]>();
+/** of one curve: a stroke alone, and with others that were tried */
+const KEPT = 4;
+
+/** The same for the same curves. Throws RangeError for other numbers of curves, and for a radius that is not above 0. */
+export function sourceOf(input: SourceInput): Source {
+  const { curves, radius, pressure } = input;
+  const [first, second] = curves;
+  const known = (first && sources.get(first)) ?? [];
+  const isIt = (other: Known) =>
+    other.second === second && other.radius === radius && other.pressure === pressure;
+  const found = curves.length <= 2 ? known.find(isIt) : undefined;
+  if (found) return found.source;
+  const source = made(input);
+  sources.set(first!, [{ second, radius, pressure, source }, ...known].slice(0, KEPT));
+  return source;
+}
+
+function made({ curves, radius, pressure }: SourceInput): Source {
   const [first, second] = curves;
   if (!first || curves.length > 2) {
     throw new RangeError(`surface: sections are carried along 1 or 2 strokes, got ${curves.length}`);

@@ -3,12 +3,12 @@
  * and creases with the surface's own derivatives, which neighbours share where it is smooth), subdivided and pushed to their
  * limits; or, without a spline (thesis fig. 5.13(b)), the mixed sections themselves in as many places.
  */
-
 import type { Vec2 } from '../math/vec.ts';
+import { controlsAcross } from './across.ts';
 import type { AlikePiece, Along } from './alike.ts';
 import { type KnotPiece, knotsOf } from './knots.ts';
 import { type Limit, limitOf, masked, type Net, subdivided } from './net.ts';
-import { clampedThrough, netOfRows, periodicThrough } from './through.ts';
+import { clampedThrough, netOfRows } from './through.ts';
 import type { Weave } from './weave.ts';
 import { rowAt } from './wovenRow.ts';
 
@@ -29,18 +29,9 @@ export interface Woven {
 export function controlNets(weave: Weave): Net[][] {
   const { alike, along, across } = weave;
   const polygons = alike.pieces.map((piece, j) =>
-    piece.along.map((outline) => controlsAcross(outline, across[j]!, alike.seamless)),
+    piece.along.map((outline) => flat(controlsAcross(outline, across[j]!, alike.seamless))),
   );
   return along.map((piece) => polygons.map((polygon) => netAlong(weave, piece, polygon)));
-}
-
-/** Control points of one outline, x y x y …. */
-function controlsAcross(outline: Along, knots: KnotPiece, seamless: boolean): number[] {
-  const points = knotsOf(knots).map((v) => Float64Array.from(outline.point(v)));
-  if (seamless) return flat(periodicThrough(points.slice(0, -1)));
-  const slope = (v: number, t: number): Float64Array =>
-    Float64Array.from(outline.derivative(v), (x) => x * knots.map.slope(t));
-  return flat(clampedThrough(points, { first: slope(knots.from, 0), last: slope(knots.to, knots.spans) }));
 }
 
 function netAlong(weave: Weave, piece: KnotPiece, polygon: readonly number[][]): Net {

@@ -3,12 +3,12 @@
  * in, that it was drawn over. What would be drawn over is lit while the pen hovers, and from the first contact on.
  */
 import { apply, type Command } from '../document/command/index.ts';
-import type { Document } from '../document/document.ts';
 import { FRONT_VIEW } from '../document/drawing.ts';
 import { ontoSection } from '../document/sectionLoops.ts';
 import { distance2 } from '../math/tuple.ts';
 import { splice } from '../stroke/splice.ts';
 import type { Mark } from './marks.ts';
+import { previewed } from './previewed.ts';
 import { type EdgeOn, type Lit, litAt, type NotLit } from './redrawTarget.ts';
 import { tipped } from './sideView.ts';
 import type { Bench, Pen, State } from './tool.ts';
@@ -92,17 +92,15 @@ interface Drawn {
 
 function drawing(drawn: Drawn): State {
   const { lit, local, trace } = drawn;
-  let shown: Document | null = null;
   return {
     name: 'redraw.drawing',
     redrawing: { local, over: lit.kind },
     wet: { pens: trace.pens, on: null, closing: isLoop(lit, trace) },
     marks: marksOf(lit),
-    preview(bench) {
-      const command = shown ? null : commandOf(drawn, bench);
-      shown ??= command && apply(bench.document, command);
-      return shown;
-    },
+    preview: previewed((bench) => {
+      const command = commandOf(drawn, bench);
+      return command && apply(bench.document, command);
+    }),
     move: (pens) => drawing({ ...drawn, trace: traced(trace, pens) }),
     up(bench) {
       const command = commandOf(drawn, bench);

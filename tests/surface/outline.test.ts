@@ -1,6 +1,6 @@
 import fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
-import { length2, scale2, sub2 } from '../../src/math/tuple.ts';
+import { distance2, length2, scale2, sub2 } from '../../src/math/tuple.ts';
 import type { Vec2 } from '../../src/math/vec.ts';
 import { functionCurve } from '../../src/stroke/arcLength.ts';
 import {
@@ -105,6 +105,41 @@ describe('outlines of strokes', () => {
     const curve = line([0, 1], [10, 1]);
     expect(isReversed(curve, [-1, 0], [11, 0])).toBe(false);
     expect(isReversed(curve, [11, 0], [-1, 0])).toBe(true);
+  });
+});
+
+describe('strokes whose ends nearly meet', () => {
+  /** a circle of radius 10 but for a gap, the ends `gap` apart */
+  const omega = (gap: number): Outline => {
+    const open = 2 * Math.asin(gap / 20);
+    return outlineOf(
+      functionCurve((t) => {
+        const angle = -Math.PI / 2 - open / 2 - (2 * Math.PI - open) * t;
+        return [10 * Math.cos(angle), 10 * Math.sin(angle)];
+      }, false),
+      { reversed: false, across: false },
+    );
+  };
+  const height = (outline: Outline): number =>
+    Math.max(...Array.from({ length: 101 }, (_, i) => outline.point(i / 100)[1]));
+
+  test('are no higher than four chords, and keep their ends and derivatives', () => {
+    for (const gap of [0.7, 1, 2, 4]) {
+      expect(height(omega(gap))).toBeLessThanOrEqual(8.001);
+      expect(omega(gap).point(0)).toEqual([-1, 0]);
+      expect(omega(gap).point(1e-9)[0]).toBeCloseTo(-1, 6);
+      expect(omega(gap).point(1 - 1e-9)[0]).toBeCloseTo(1, 6);
+      expect(rateError(omega(gap))).toBeLessThan(0.01);
+    }
+  });
+
+  test('go over into those that are as they were drawn', () => {
+    // as far as the circle is wide is four chords of 5 mm
+    for (const v of [0.1, 0.4, 0.7]) {
+      const [a, b] = [omega(4.95).point(v), omega(5.05).point(v)];
+      expect(distance2(a, b)).toBeLessThan(0.3);
+    }
+    expect(height(omega(6))).toBeCloseTo((2 / 6) * (10 + Math.sqrt(91)), 1);
   });
 });
 

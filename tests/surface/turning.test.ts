@@ -3,6 +3,7 @@ import type { Vec2 } from '../../src/math/vec.ts';
 import { crossSectionSheet } from '../../src/surface/crossSection.ts';
 import { joined, round } from '../../src/surface/joined.ts';
 import { type Outline, straight } from '../../src/surface/outline.ts';
+import { patchSheet } from '../../src/surface/patch.ts';
 import type { Sheet } from '../../src/surface/sheet.ts';
 import { leastPieces, turnOf } from '../../src/surface/turning.ts';
 import { line } from './curves.ts';
@@ -36,10 +37,15 @@ describe('sections of many bumps are followed as they were drawn', () => {
     pressure: false,
     caps: 'flat',
   } as const;
+  const detail = { between: 'cubic', columns: 16, subdivisions: { u: 1, v: 2 } } as const;
   for (const count of [1, 3, 5, 8]) {
     for (const outline of [bumps(count), joined(bumps(count), 'mirror')]) {
       test(`${count} bumps, ${outline.closed ? 'closed' : 'open'}: to 1 % of the half chord`, () => {
         expect(farthest(crossSectionSheet(source, outline, { u: 8, v: 64 })!, outline)).toBeLessThan(0.01);
+        const places = [0.3, 0.7].map((u) => ({ u, outline }));
+        for (const rows of [null, 8]) {
+          expect(farthest(patchSheet(source, places, { ...detail, rows })!, outline)).toBeLessThan(0.01);
+        }
       });
     }
   }

@@ -5,6 +5,7 @@ import { length3, rotate3 } from '../../src/math/tuple.ts';
 import { project, toWorld } from '../../src/stroke/plane.ts';
 import { redrawing, redrawOnce } from '../../src/tool/redraw.ts';
 import { selecting } from '../../src/tool/select.ts';
+import { strokeAlong } from '../document/strokes.ts';
 import type { Driver } from './driver.ts';
 import { balls, exactBall, RADIUS } from './scene.ts';
 
@@ -50,6 +51,28 @@ describe('what is lit', () => {
       expect(length3(p)).toBeCloseTo(RADIUS, 0);
     }
     expect(points.length).toBeGreaterThan(8);
+  });
+
+  test('of a part, whatever a file calls it, though there is an unfinished form', () => {
+    const driver = hand(ABOVE);
+    const id = 'draftsman';
+    const parts = driver.document.parts.map((part, i) => (i === 0 ? { ...part, id } : part));
+    driver.commit([
+      { type: 'load', document: { ...driver.document, parts }, name: '' },
+      { type: 'addStroke', stroke: strokeAlong((t) => [90, 40 * t - 20]) },
+    ]);
+    const ball = exactBall(driver);
+    driver.surface = (x, y) => {
+      const hit = ball(x, y);
+      return hit && { ...hit, id };
+    };
+    driver.draw([
+      [370, 338],
+      [400, 372],
+      [430, 338],
+    ]);
+    expect(driver.document.draft?.sections).toBeUndefined();
+    expect(partOf(driver)).toMatchObject({ id, kind: 'crossSection' });
   });
 
   test('not one that is seen from its edge: words say why', () => {
