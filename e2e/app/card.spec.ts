@@ -33,6 +33,7 @@ const part = (page: Page) =>
 test('a sphere sets the finish and keeps the colour; a drag of Shine is one undo step', async ({ page }) => {
   await open(page);
   const before = await part(page);
+  await page.getByText('More light').click();
   await page.getByRole('radio', { name: 'Gloss' }).click();
   const gloss = await part(page);
   expect(gloss.finish.specular).toBeGreaterThan(before.finish.specular);

@@ -20,10 +20,11 @@ interface Of {
   readonly colour: string;
   readonly finishes: readonly Finish[];
   readonly command: (finish: Partial<Finish>) => Command;
+  readonly isFolded?: boolean;
 }
 
-/** Of the selected parts; of a form within a solid that solid's. Bodies have none. */
-export function partFinish(session: Session): TemplateResult | typeof nothing {
+/** `isFolded`: the palette of finishes, too, in a card where more is to be seen. Of the selected parts; of a form within a solid that solid's. Bodies have none. */
+export function partFinish(session: Session, isFolded = false): TemplateResult | typeof nothing {
   const shown = session.shown();
   const inside = groupsChosen(shown, session.selection).map(({ solid }) => solid);
   const parts = new Set([...chosenParts(session), ...inside]);
@@ -35,6 +36,7 @@ export function partFinish(session: Session): TemplateResult | typeof nothing {
     colour: chosenColour(session) ?? CLAY,
     finishes,
     command: (finish) => ({ type: 'setPartBrush', ids, change: { finish } }),
+    isFolded,
   });
 }
 
@@ -59,10 +61,12 @@ function finishRows(session: Session, of: Of): TemplateResult {
     if ((event.target as HTMLDetailsElement).open) opened.add(session);
     else opened.delete(session);
   };
-  return html`<h3>${FINISH_WORDS.finish} <span class="value">${same ? finishName(same) : PART_WORDS.mixed}</span></h3>
-    ${balls(session, of, same)} ${slider(session, of, 'specular')}
+  const palette = html`<h3>${FINISH_WORDS.finish} <span class="value">${same ? finishName(same) : PART_WORDS.mixed}</span></h3>
+    ${balls(session, of, same)}`;
+  return html`${of.isFolded ? nothing : palette} ${slider(session, of, 'specular')}
     <details class="more" ?open=${opened.has(session)} @toggle=${more}>
       <summary>${FINISH_WORDS.more}</summary>
+      ${of.isFolded ? palette : nothing}
       ${slider(session, of, 'ambient')} ${slider(session, of, 'diffuse')} ${slider(session, of, 'shininess')}
     </details>`;
 }

@@ -26,7 +26,7 @@ export function partCard(session: Session): TemplateResult {
   return html`<section class="card-of-part">
     ${chosen.length === 1 ? nameField(session, chosen[0]!) : html`<h3>${PART_WORDS.several(chosen.length)}</h3>`}
     <h3>${PART_WORDS.colour} <span class="value">${colourWords(session)}</span></h3>
-    ${partColours(session)} ${partFinish(session)} ${radius(session, parts)}
+    ${partColours(session)} ${partFinish(session, true)} ${radius(session, parts)}
     ${parts.length === chosen.length && parts.every(isSurface) ? surfaceCard(session, parts) : nothing}
     ${parts.every(isSolid) ? groupCard(session) : nothing}
     ${only && !isSurface(only) ? html`<p class="quiet-words">${facts(only)}</p>` : nothing}

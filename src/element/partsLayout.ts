@@ -99,6 +99,7 @@ export const partsLayout = css`
   .panel .detail h3 { color: var(--ink); font-size: 0.9375rem; min-height: 1.5rem; }
   .detail small { display: block; padding: 0 0.5rem; font-size: 0.8125rem; line-height: 1.125rem; color: var(--ink-2); }
   .quiet-words { padding: 0.5rem; color: var(--ink-2); font-size: 0.8125rem; line-height: 1.125rem; }
+  .card-of-part .name-field ~ .spheres + .row { min-height: 2.25rem; }
   .name-field { display: flex; align-items: center; gap: 0.75rem; padding: 0 0.5rem; font: 600 0.8125rem/1.125rem var(--font); color: var(--ink-2); }
   .name-field input { flex: 1; min-width: 0; height: 2.75rem; padding: 0 0.75rem; border: 1.5px solid var(--edge); border-radius: 0.75rem; background: var(--surface); color: var(--ink); font: 600 0.9375rem/1.3125rem var(--font); user-select: text; -webkit-user-select: text; }
   .choice { min-width: 0; max-width: 11rem; height: 2.75rem; padding: 0 0.5rem; border: 1.5px solid var(--edge); border-radius: 0.75rem; background: var(--surface); color: var(--ink); font: 600 0.875rem/1.25rem var(--font); text-overflow: ellipsis; }

@@ -18,7 +18,8 @@ export function recreatePart(session: Session, id: string): boolean {
   if (session.document.draft?.recreates?.part !== id) return false;
   session.setTool('draw');
   const { plane } = placedStroke(part.strokes[0]!, part.placement);
-  const mesh = solidOf(part)?.mesh;
+  // in hand it is as it was before it was bent
+  const mesh = solidOf({ ...part, bends: [] })?.mesh;
   if (mesh) session.lookFrom(viewOnto(plane, boxOfMesh(mesh), session));
   return true;
 }
