@@ -67,3 +67,68 @@ test('detail goes by steps, rows and columns by the editor, and the strokes stay
   await page.keyboard.press('ArrowRight');
   expect((await part(page)).detail.rows).toBeGreaterThan(16);
 });
+
+test('rows of bends: length, eye, away, one undo step each', async ({ page }) => {
+  await open(page);
+  await page.evaluate(() => {
+    const { session } = document.querySelector('rotund-sketch')!;
+    const plane = { origin: [0, 0, 0], x: [1, 0, 0], y: [0, 1, 0] } as const;
+    const samples = Array.from({ length: 30 }, (_, i) => ({
+      x: 0.02 * i * i,
+      y: 30 - 2 * i,
+      pressure: 0.5,
+      tiltX: 0,
+      tiltY: 0,
+      time: 8 * i,
+    }));
+    const stroke = { samples, plane, view: session.view, pointer: 'pen', closed: false } as const;
+    const bend = { stroke, keepsLength: true, isOff: false };
+    session.run({ type: 'bend', id: session.document.parts[0]!.id, bend });
+  });
+  const bends = () =>
+    page.evaluate(() => {
+      const [first] = document.querySelector('rotund-sketch')!.session.document.parts;
+      return first && 'bends' in first
+        ? first.bends.map(({ keepsLength, isOff }) => [keepsLength, isOff])
+        : [];
+    });
+  const length = page.getByRole('button', { name: /^Length kept, Bend 1/ });
+  await expect(length).toHaveAttribute('aria-pressed', 'true');
+  await length.click();
+  await expect(length).toHaveAttribute('aria-pressed', 'false');
+  expect((await length.boundingBox())!.height).toBeGreaterThanOrEqual(44);
+  expect(await bends()).toEqual([[false, false]]);
+  await page.getByRole('button', { name: 'Leave out Bend 1' }).click();
+  expect(await bends()).toEqual([[false, true]]);
+  await page.getByRole('button', { name: 'Put Bend 1 in force' }).click();
+  await page.getByRole('button', { name: 'Remove Bend 1' }).click();
+  expect(await bends()).toEqual([]);
+  await page.getByRole('button', { name: 'Undo' }).click();
+  expect(await bends()).toEqual([[false, false]]);
+});
+
+test('the radius of a tube is drawn', async ({ page }) => {
+  await open(page);
+  const before = await page.evaluate(
+    () => document.querySelector('rotund-sketch')!.session.document.brush.radius,
+  );
+  await page.evaluate(() => document.querySelector('rotund-sketch')!.session.setTool('draw'));
+  await page.keyboard.press('Escape');
+  await page.getByRole('button', { name: /draw the radius/ }).click();
+  const box = (await page.locator('rotund-sketch').boundingBox())!;
+  const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+  await page.mouse.move(x - 60, y);
+  await page.mouse.down();
+  for (let i = 1; i <= 8; i++) await page.mouse.move(x - 60 + 5 * i, y);
+  await page.mouse.up();
+  const after = await page.evaluate(() => {
+    const { session } = document.querySelector('rotund-sketch')!;
+    return { radius: session.document.brush.radius, mm: (40 * session.view.height) / session.size.height };
+  });
+  expect(after.radius).not.toBe(before);
+  expect(Math.abs(after.radius - after.mm)).toBeLessThan(0.5);
+  await page.keyboard.press('Control+z');
+  expect(
+    await page.evaluate(() => document.querySelector('rotund-sketch')!.session.document.brush.radius),
+  ).toBe(before);
+});

@@ -117,19 +117,95 @@ test('strokes are in hand again where the part was drawn from, and go one by one
   expect(await part(page)).toMatchObject({ kind: 'tube', id: 'part-1' });
 });
 
+async function drawWithFinger(page: Page, points: readonly Point[]): Promise<void> {
+  const session = await page.context().newCDPSession(page);
+  const touch = (type: 'touchStart' | 'touchMove' | 'touchEnd', at?: Point) =>
+    session.send('Input.dispatchTouchEvent', { type, touchPoints: at ? [{ x: at[0], y: at[1] }] : [] });
+  await touch('touchStart', points[0]);
+  for (const at of points.slice(1)) await touch('touchMove', at);
+  await touch('touchEnd');
+}
+
+/** Across the middle, below it: over the near half of the section there. */
+const across = ([x, y]: Point): Point[] =>
+  Array.from({ length: 15 }, (_, i) => [x - 42 + 6 * i, y + 60 + 3 * Math.min(i, 14 - i)]);
+
+const seenFromAbove = (page: Page) =>
+  page.locator('rotund-sketch').evaluate((element: Sketch) => {
+    element.session.camera.orbit(0, 90);
+  });
+
+test('a mouse redraws, too', async ({ page }) => {
+  const middle = await open(page);
+  await seenFromAbove(page);
+  await still(page);
+  await page.keyboard.press('o');
+  const mouse = await PenDriver.on(page, 'mouse');
+  await mouse.draw(across(middle));
+  await expect.poll(async () => (await part(page))!.kind).toBe('crossSection');
+});
+
+test('the other end of the pen redraws once, and the tool in hand is the one before', async ({ page }) => {
+  const middle = await open(page);
+  await seenFromAbove(page);
+  await still(page);
+  const before = await page.evaluate(() => document.querySelector('rotund-sketch')!.session.tool);
+  const points = across(middle);
+  await page.locator('rotund-sketch .stage').evaluate((stage, places) => {
+    const send = (type: string, [clientX, clientY]: readonly [number, number], buttons: number) =>
+      stage.dispatchEvent(
+        new PointerEvent(type, {
+          pointerId: 7,
+          pointerType: 'pen',
+          isPrimary: true,
+          bubbles: true,
+          composed: true,
+          cancelable: true,
+          clientX,
+          clientY,
+          pressure: buttons ? 0.5 : 0,
+          button: type === 'pointermove' ? -1 : 5,
+          buttons,
+        }),
+      );
+    // no such pointer is known to the browser
+    stage.setPointerCapture = () => {};
+    send('pointerdown', places[0]!, 32);
+    for (const place of places.slice(1)) send('pointermove', place, 32);
+    send('pointerup', places.at(-1)!, 0);
+  }, points);
+  await expect.poll(async () => (await part(page))!.kind).toBe('crossSection');
+  expect(await page.evaluate(() => document.querySelector('rotund-sketch')!.session.tool)).toBe(before);
+});
+
 test.describe('with a finger', () => {
   test.use({ hasTouch: true });
   test('bends', async ({ page }) => {
     const middle = await open(page);
     await page.keyboard.press('b');
     await still(page);
-    const session = await page.context().newCDPSession(page);
-    const points = bow(middle);
-    const touch = (type: 'touchStart' | 'touchMove' | 'touchEnd', at?: Point) =>
-      session.send('Input.dispatchTouchEvent', { type, touchPoints: at ? [{ x: at[0], y: at[1] }] : [] });
-    await touch('touchStart', points[0]);
-    for (const at of points.slice(1)) await touch('touchMove', at);
-    await touch('touchEnd');
+    await drawWithFinger(page, bow(middle));
     await expect.poll(async () => (await part(page))!.bends.length).toBe(1);
+  });
+
+  test('redraws', async ({ page }) => {
+    const middle = await open(page);
+    await seenFromAbove(page);
+    await still(page);
+    await page.keyboard.press('o');
+    await drawWithFinger(page, across(middle));
+    await expect.poll(async () => (await part(page))!.kind).toBe('crossSection');
+  });
+
+  test('takes strokes in hand again, and one of them away', async ({ page }) => {
+    await open(page);
+    await page.locator('rotund-sketch').evaluate((element: Sketch) => {
+      element.session.setTool('select');
+      element.session.select(['part-1']);
+    });
+    await page.getByRole('button', { name: 'Recreate' }).tap();
+    await page.getByRole('button', { name: 'Remove stroke 2' }).tap();
+    await page.getByRole('button', { name: 'Keep' }).tap();
+    expect(await part(page)).toMatchObject({ kind: 'tube', id: 'part-1' });
   });
 });

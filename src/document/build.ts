@@ -19,12 +19,13 @@ import {
   isSurface,
   type Part,
   readingOf,
+  tubesOf,
 } from './document.ts';
 import { draftPart, hasDraftGroup, joinedOf } from './draftPart.ts';
 import type { Finish } from './finish.ts';
 import { type Resolution, sheetOf } from './sheets.ts';
 import { nodeOf } from './solidNode.ts';
-import { PLAIN, type SurfaceForm } from './surfacePart.ts';
+import type { SurfaceForm } from './surfacePart.ts';
 
 export { quadsOf, type Resolution } from './sheets.ts';
 
@@ -153,7 +154,7 @@ export function draftSolids(document: Document): Solid[] {
   const known = drafts.get(draft);
   if (known && known.kind === kind && known.brush === brush) return known.solids;
   const whole = formOfDraft(draft);
-  const forms = kind === 'tube' ? tubesOf(draft) : [whole];
+  const forms = kind === 'tube' ? tubesOf(whole) : [whole];
   const found = forms.flatMap((form, i) => {
     const mesh = surfaceOf(kind, form, brush);
     return mesh
@@ -163,16 +164,6 @@ export function draftSolids(document: Document): Solid[] {
   drafts.set(draft, { brush, kind, solids: found });
   return found;
 }
-
-// Lists of one stroke, so that meshes are found again by them.
-const alone = new WeakMap<Stroke, readonly Stroke[]>();
-
-const tubesOf = ({ strokes }: Draft): SurfaceForm[] =>
-  strokes.map((stroke) => {
-    const list = alone.get(stroke) ?? [stroke];
-    alone.set(stroke, list);
-    return { ...PLAIN, strokes: list };
-  });
 
 /** Strokes may enclose nothing. */
 export const hasSurface = (solid: Solid | null): solid is Solid =>

@@ -4,6 +4,7 @@
  */
 import * as v from 'valibot';
 import type { Stroke } from '../stroke/stroke.ts';
+import { missedBy } from './aims.ts';
 import { itemsOf } from './command/changeParts.ts';
 import { apply, type Command } from './command/index.ts';
 import { command as commandSchema, idsOf } from './commandSchema.ts';
@@ -100,6 +101,8 @@ export function applyChecked(
   if (joins && !isThere(document, joins)) {
     throw expected(file, [...path, at], 'a solid, and a component of it, that are there by then', joins);
   }
+  const fault = missedBy(document, command);
+  if (fault) throw expected(file, [...path, ...fault.path], fault.expected, valueAt(command, fault.path));
   const after = apply(document, command);
   const grows = GROWING.includes(command.type) && isTooLarge(after);
   if (grows) {
@@ -107,6 +110,9 @@ export function applyChecked(
   }
   return after;
 }
+
+const valueAt = (value: unknown, path: readonly PropertyKey[]): unknown =>
+  path.reduce<unknown>((of, key) => (of as Readonly<Record<PropertyKey, unknown>>)[key], value);
 
 /** Where a command says that groups go. */
 function joinsOf(command: Command): { readonly joins: Joins | null; readonly place: string } {

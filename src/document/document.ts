@@ -180,3 +180,16 @@ export const formOfDraft = ({ strokes, sections, back, between, detail }: Draft)
   bends: PLAIN.bends,
   detail: detail ?? PLAIN.detail,
 });
+
+// Lists of one stroke, so that meshes are found again by them.
+const alone = new WeakMap<Stroke, readonly Stroke[]>();
+
+/** Of strokes that stay tubes. Sections across several are none of a single one; what one stroke has of its own it keeps. */
+export function tubesOf(form: SurfaceForm): readonly SurfaceForm[] {
+  if (form.strokes.length === 1) return [form];
+  return form.strokes.map((stroke) => {
+    const strokes = alone.get(stroke) ?? [stroke];
+    alone.set(stroke, strokes);
+    return { ...PLAIN, detail: form.detail, strokes };
+  });
+}

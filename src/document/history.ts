@@ -32,9 +32,18 @@ export function commit(history: History, command: Command): History {
   const { present } = history;
   const after = apply(present, command);
   if (after === present) return history;
+  const last = history.past.at(-1);
+  if (last && isSameChoice(last.command, command))
+    return commit({ past: history.past.slice(0, -1), present: last.before, future: [] }, command);
   const step = { before: present, after, words: describe(present, command), command };
   return { past: [...history.past.slice(1 - LIMIT), step], present: after, future: [] };
 }
+
+/** Who tries one form of the strokes after the other has made one choice. */
+const isSameChoice = (a: Command, b: Command): boolean =>
+  a.type === 'setForm' &&
+  b.type === 'setForm' &&
+  String(Object.keys(a).sort()) === String(Object.keys(b).sort());
 
 /** What undo would take back, in words; null when there is nothing. */
 export const undoable = (history: History): string | null => history.past.at(-1)?.words ?? null;

@@ -48,6 +48,8 @@ export const RANGES = {
   rows: { min: 1, max: 256 },
   columns: { min: 3, max: 256 },
   subdivisions: { min: 0, max: 5 },
+  /** how many more of them */
+  finer: { min: -5, max: 5 },
   pressure: { min: 0, max: 1 },
   /** degrees */
   tilt: around(90),

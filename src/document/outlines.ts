@@ -3,8 +3,10 @@
  * drawn over. Cached by reference.
  */
 import { once } from '../math/once.ts';
-import { distance2 } from '../math/tuple.ts';
+import { distance2, dot3, rotate3 } from '../math/tuple.ts';
+import type { Vec2 } from '../math/vec.ts';
 import type { Curve } from '../stroke/curve.ts';
+import type { Stroke } from '../stroke/stroke.ts';
 import { runsLeft } from '../surface/chordWay.ts';
 import type { PlacedOutline, SurfaceKind } from '../surface/index.ts';
 import { joined, round } from '../surface/joined.ts';
@@ -79,8 +81,14 @@ function outlineIn(section: Section, back: Back, brush: Filter, source: () => So
 const drawnOver = (outline: Outline, { redraws }: Section, brush: Filter): Outline =>
   redraws.reduce((before, { stroke, half }) => {
     const curve = curveOfStroke(stroke, brush);
-    return curve ? redrawn(before, scaled(curve, 1 / half)) : before;
+    return curve ? redrawn(before, scaled(curve, 1 / half), sightOn(stroke)) : before;
   }, outline);
+
+/** The person who drew it, as seen on its plane. */
+function sightOn({ plane: { x, y }, view }: Stroke): Vec2 {
+  const back = rotate3(view.rotation, [0, 0, 1]);
+  return [dot3(back, x), dot3(back, y)];
+}
 
 /** A front or a back; null where the stroke is too short to say anything. */
 function halfOf(

@@ -214,6 +214,7 @@ export const surfaceChange = fields({
       columns: v.exactOptional(detailFields.columns),
       u: v.exactOptional(detailFields.u),
       v: v.exactOptional(detailFields.v),
+      finer: v.exactOptional(whole(RANGES.finer)),
     }),
   ),
 });

@@ -3,9 +3,9 @@
  * in the frame that strokes on sections are kept in. The frame is carried by the bends like a row of the surface, whatever was drawn over
  * the ends of the chord.
  */
-import { isUnmoved, type Placement, place3, unplaced } from '../math/placement.ts';
+import { compose, isUnmoved, type Placement, place3, turnOnto, unplaced } from '../math/placement.ts';
 import { add3, cross3, dot3, length2, length3, rotate3, scale3, sub3 } from '../math/tuple.ts';
-import type { Vec3 } from '../math/vec.ts';
+import type { Quat, Vec3 } from '../math/vec.ts';
 import type { Plane, Stroke } from '../stroke/stroke.ts';
 import { type BendInput, deform } from '../surface/deform.ts';
 import type { SurfaceKind } from '../surface/index.ts';
@@ -192,5 +192,12 @@ function nearestU({ rows }: Sheet, away: (k: number, points: Float64Array) => Ve
   return found.u;
 }
 
-/** A stroke on a section, as it is kept. */
-export const ontoSection = (stroke: Stroke, { own }: SectionLoop): Stroke => ({ ...stroke, plane: own });
+const turned = (rotation: Quat): Placement => ({ rotation, translation: [0, 0, 0] });
+
+/** A stroke on a section, as it is kept: from where it was drawn is kept with it, turned as the section is by bends and placement. */
+export function ontoSection(stroke: Stroke, { own, plane }: SectionLoop): Stroke {
+  const { view } = stroke;
+  const back = compose(turned(turnOnto(own.x, own.y)), unplaced(turned(turnOnto(plane.x, plane.y))));
+  const { rotation } = compose(back, turned(view.rotation));
+  return { ...stroke, plane: own, view: { ...view, rotation } };
+}

@@ -146,11 +146,25 @@ export function strokesOfForm({
   bends,
 }: Pick<SurfaceForm, 'strokes' | 'sections' | 'bends'>): readonly Stroke[] {
   if (sections.length === 0 && bends.length === 0) return strokes;
-  const ofSections = sections.flatMap(({ front, back, redraws }) =>
-    [front, back, ...redraws].flatMap((drawn) => (drawn ? [drawn.stroke] : [])),
-  );
+  const ofSections = strokesOfSections(sections).map(({ drawn }) => drawn.stroke);
   return [...strokes, ...ofSections, ...bends.map(({ stroke }) => stroke)];
 }
+
+/** A stroke of one of the sections. */
+export interface OfSection {
+  /** its index */
+  readonly section: number;
+  readonly as: 'front' | 'back' | 'redraw';
+  readonly drawn: SectionStroke;
+}
+
+/** In the order in which they are counted: of each section the front, the back, and what was drawn over it. */
+export const strokesOfSections = (sections: readonly Section[]): readonly OfSection[] =>
+  sections.flatMap(({ front, back, redraws }, section) => [
+    ...(front ? [{ section, as: 'front', drawn: front } as const] : []),
+    ...(back ? [{ section, as: 'back', drawn: back } as const] : []),
+    ...redraws.map((drawn) => ({ section, as: 'redraw', drawn }) as const),
+  ]);
 
 /** Made of strokes alone, with nothing set: all that there was before there were sections. */
 export const isPlain = ({ sections, back, between, bends, detail }: Omit<SurfaceForm, 'strokes'>): boolean =>
@@ -189,10 +203,15 @@ export function withStrokes<F extends Pick<SurfaceForm, 'strokes' | 'sections' |
   };
 }
 
-/** Sections in order, with one more; one at the same place is replaced. */
+/**
+ * Sections in order, with one more. The nearest one at the same place is replaced, and no other: where two are so near, the new one stands
+ * exactly where the old one stood.
+ */
 export function withSection(sections: readonly Section[], section: Section): readonly Section[] {
-  const others = sections.filter(({ u }) => !isSamePlace(u, section.u));
-  return [...others, section].sort((a, b) => a.u - b.u);
+  const old = sectionThere(sections, section.u);
+  const others = sections.filter((other) => other !== old);
+  const u = old && isThere(others, section.u) ? old.u : section.u;
+  return [...others, { ...section, u }].sort((a, b) => a.u - b.u);
 }
 
 /** u nearer than this are one place: two sections there would be a step */
@@ -200,9 +219,14 @@ export const SAME_PLACE = 0.01;
 
 export const isSamePlace = (a: number, b: number): boolean => Math.abs(a - b) < SAME_PLACE;
 
-/** One of them is at u, so that another would take its place. */
+/** The one at u, whose place another would take; null without any. */
+export function sectionThere(sections: readonly Section[], u: number): Section | null {
+  const nearest = sections[nearestSection(sections, u)];
+  return nearest && isSamePlace(nearest.u, u) ? nearest : null;
+}
+
 export const isThere = (sections: readonly Section[], u: number): boolean =>
-  sections.some((section) => isSamePlace(section.u, u));
+  sectionThere(sections, u) !== null;
 
 /** Index of the section nearest to u; −1 without any. */
 export function nearestSection(sections: readonly Section[], u: number): number {

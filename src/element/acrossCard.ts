@@ -2,8 +2,9 @@
 import { css, html, nothing, svg, type TemplateResult } from 'lit';
 import { BACKS, type Back } from '../document/surfacePart.ts';
 import { type Across, acrossOf } from '../tool/across.ts';
-import { type Actions, iconButton, roving } from './controls.ts';
-import { lacksBack } from './draftWords.ts';
+import { type Actions, iconButton } from './controls.ts';
+import { backsToDraw } from './draftWords.ts';
+import { type SegmentChoice, segment } from './editSegment.ts';
 import { type IconName, icon } from './icons.ts';
 import type { Session } from './session.ts';
 import { SECTION_WORDS } from './words.ts';
@@ -31,25 +32,31 @@ export function acrossCard(session: Session, actions: Actions): TemplateResult |
   };
   return html`<section class="across card chrome" part="panel" aria-label=${SECTION_WORDS.title}>
     <header>${icon('section')}<h2>${SECTION_WORDS.title}</h2>${iconButton('x', 'Close', close)}</header>
-    <p>${words(session, found)}</p>
-    ${across ? html`${looks(session)}<div class="foot"><h3 id="across-back">${SECTION_WORDS.back}</h3>${backs(session, across)}</div>` : nothing}
+import { type Actions, iconButton } from './controls.ts';
+import { backsToDraw } from './draftWords.ts';
+import { type SegmentChoice, segment } from './editSegment.ts';
   </section>`;
 }
 
-function words(session: Session, found: ReturnType<typeof acrossOf>): string {
+function words(found: ReturnType<typeof acrossOf>): string {
   if (typeof found === 'string') return SECTION_WORDS.notAcross[found];
-  return lacksBack(session.document) ? SECTION_WORDS.backText : SECTION_WORDS.text;
+  const places = backsToDraw(found);
+  return places === null ? SECTION_WORDS.text : SECTION_WORDS.backText(places);
 }
 
-function backs(session: Session, { part, back: now }: Across): TemplateResult {
-  const set = (back: Back) => setBack(session, back, part);
-  return html`<div class="segment" role="radiogroup" aria-labelledby="across-back" @keydown=${roving}>
-    ${BACKS.map(
-      (back) => html`<button role="radio" aria-checked=${back === now} tabindex=${back === now ? 0 : -1}
-        title=${SECTION_WORDS.backs[back].hint} @click=${() => back === now || set(back)}>${icon(BACK_ICONS[back], 20)}${SECTION_WORDS.backs[back].name}</button>`,
-    )}
-  </div>`;
-}
+const backs = (session: Session, { part, back: now }: Across): TemplateResult =>
+  segment(
+    SECTION_WORDS.back,
+    backChoices(now, (back) => setBack(session, back, part)),
+  );
+
+export const backChoices = (now: Back | null, set: (back: Back) => void): SegmentChoice[] =>
+  BACKS.map((back) => ({
+    ...SECTION_WORDS.backs[back],
+    image: BACK_ICONS[back],
+    on: back === now,
+    run: () => set(back),
+  }));
 
 export const BACK_ICONS: Readonly<Record<Back, IconName>> = {
   none: 'backNone',
@@ -98,7 +105,6 @@ export const acrossLayout = css`
   .across small { font: 0.75rem/1rem var(--font); color: var(--ink-2); }
   .across .foot { border-top: 1px solid var(--hairline); padding-top: 0.375rem; }
   .across h3 { font: 600 0.8125rem/1.125rem var(--font); color: var(--ink-2); padding: 0.375rem 0.5rem; }
-  .across .segment button { display: flex; align-items: center; justify-content: center; gap: 0.375rem; white-space: nowrap; flex: 1 1 auto; }
   .across .tip { display: none; }
   .meter .next { color: var(--ink-2); font-weight: 400; }
   .meter.steps button { gap: 0.3125rem; }

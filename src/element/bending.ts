@@ -18,6 +18,11 @@ export function startBend(session: Session): boolean {
     const kept = again ?? session.document.parts.at(-1);
     session.select(kept ? [kept.id] : []);
   }
+  if (!session.document.parts.some((part) => isSurface(part) && !part.hidden)) {
+    session.said = EDIT_WORDS.noneToBend;
+    session.update();
+    return true;
+  }
   const id = bendable(session.document, session.selection);
   take(session);
   if (id === null) {

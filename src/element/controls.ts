@@ -217,6 +217,7 @@ export function status(session: Session): TemplateResult {
   return html`<div class="status chrome" part="status">
     ${session.hint ? html`<span aria-hidden="true"><b>${session.hint}</b></span>` : nothing}
     <span role="status" aria-live="polite" class=${session.hint ? 'hidden' : ''}><b>${session.said}</b></span>
+    <span class="hidden hint-said" aria-live="polite">${session.hintAtRest}</span>
     <span><i class="dot ${backend === 'WebGPU' ? '' : 'slow'}"></i><span class="seen">${seen}</span><span class="aside"><span class="gap">${seen && ' · '}</span><span class="facts">${detail && `${detail} · `}</span>${draws}</span></span>
   </div>`;
 }

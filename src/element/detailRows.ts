@@ -57,15 +57,10 @@ function sizeOf(part: SurfacePart): string {
   return `${along} × ${across}`;
 }
 
-/** Every part by a step of its own, as one undo step. */
-function step(session: Session, parts: readonly SurfacePart[], by: 1 | -1): void {
-  const { min, max } = RANGES.subdivisions;
-  const within = (value: number) => Math.min(max, Math.max(min, value + by));
-  const [first] = parts;
-  if (!first) return;
+/** Every part by a step from where it is, as one undo step. */
+function step(session: Session, parts: readonly SurfacePart[], finer: 1 | -1): void {
   const ids = parts.map(({ id }) => id);
-  const detail = { u: within(first.detail.u), v: within(first.detail.v) };
-  session.run({ type: 'setSurface', ids, change: { detail } });
+  session.run({ type: 'setSurface', ids, change: { detail: { finer } } });
 }
 
 const { rows, columns, subdivisions } = RANGES;

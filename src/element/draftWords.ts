@@ -1,9 +1,12 @@
 /** What is said of the unfinished form, and what it joins. */
 
+import type { Command } from '../document/command/index.ts';
 import { recreatedOf } from '../document/command/keep.ts';
 import { type Document, type Joins, readingOf, type SolidPart } from '../document/document.ts';
 import { formOf, joinedOf } from '../document/draftPart.ts';
+import { isSamePlace } from '../document/surfacePart.ts';
 import type { Stroke } from '../stroke/stroke.ts';
+import { type Across, lackingBacks } from '../tool/across.ts';
 import {
   FORMS,
   type FormWord,
@@ -101,9 +104,20 @@ function sectionsFact(document: Document): string | null {
     : SECTION_WORDS.sectionAt(Math.round(100 * first.u));
 }
 
-/** The section that was drawn last has no back yet, and gets one of its own. */
-export function lacksBack({ draft }: Document): boolean {
-  return draft?.back === 'drawn' && (draft.sections ?? []).some(({ front, back }) => front && !back);
+/** Sections whose backs are still to be drawn, "at 49 %"; null: none is. */
+export function backsToDraw(of: Pick<Across, 'sections' | 'back'>): string | null {
+  const lacking = lackingBacks(of);
+  return lacking.length > 0 ? SECTION_WORDS.places(lacking.map(({ u }) => Math.round(100 * u))) : null;
+}
+
+/** After the front of a section, or when backs are to be drawn, one is awaited: where, in words. Null: none is, or something else was done. */
+export function awaitedBack({ draft }: Document, commands: readonly Command[]): string | null {
+  const { sections = [], back = 'none' } = draft ?? {};
+  const last = commands.at(-1);
+  const isFront = last?.type === 'addSection' && last.side !== 'back';
+  if (!isFront && !(last?.type === 'setSurface' && last.change.back === 'drawn')) return null;
+  const just = isFront ? sections.filter(({ u }) => isSamePlace(u, last.u)) : sections;
+  return backsToDraw({ sections: just, back });
 }
 
 /** When it was dropped: `document` is the one before. */

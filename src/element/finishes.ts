@@ -4,19 +4,22 @@ import { DEFAULT_FINISH, type Finish, sameFinish } from '../document/finish.ts';
 import type { Style } from '../document/look.ts';
 import { displayBytes } from '../document/paint.ts';
 import { AMBIENT_LIGHT, finishVectors, LAMP_LIGHT } from '../scene/finish.ts';
+import { FINISH_WORDS } from './words.ts';
+
+const { finishes } = FINISH_WORDS;
 
 export const FINISHES: readonly (readonly [name: string, finish: Finish])[] = [
-  ['Clay', DEFAULT_FINISH],
-  ['Matt', { ambient: 1, diffuse: 1, specular: 0, shininess: 40 }],
-  ['Satin', { ambient: 1, diffuse: 1, specular: 0.25, shininess: 10 }],
-  ['Gloss', { ambient: 0.95, diffuse: 1.05, specular: 0.85, shininess: 80 }],
-  ['Metal', { ambient: 0.55, diffuse: 1.25, specular: 1, shininess: 14 }],
-  ['Glow', { ambient: 1.8, diffuse: 0.25, specular: 0, shininess: 40 }],
+  [finishes.clay, DEFAULT_FINISH],
+  [finishes.matt, { ambient: 1, diffuse: 1, specular: 0, shininess: 40 }],
+  [finishes.satin, { ambient: 1, diffuse: 1, specular: 0.25, shininess: 10 }],
+  [finishes.gloss, { ambient: 0.95, diffuse: 1.05, specular: 0.85, shininess: 80 }],
+  [finishes.metal, { ambient: 0.55, diffuse: 1.25, specular: 1, shininess: 14 }],
+  [finishes.glow, { ambient: 1.8, diffuse: 0.25, specular: 0, shininess: 40 }],
 ];
 
-/** "Satin", or "Own" when it is none of them. */
+/** "Satin", or that it is an own one when it is none of them. */
 export const finishName = (finish: Finish): string =>
-  FINISHES.find(([, other]) => sameFinish(other, finish))?.[0] ?? 'Own';
+  FINISHES.find(([, other]) => sameFinish(other, finish))?.[0] ?? FINISH_WORDS.own;
 
 /** toon's bands, and the N·L below which each of them is seen (scene/toon.ts) */
 const BANDS = [

@@ -31,8 +31,8 @@ const NARROW = 700;
 const END_ON = 0.42;
 /** px between two knobs */
 const APART = 46;
-/** px the controls at the edges take: the top row, an open dock, and on phones tools and actions, or a sheet */
-const EDGE = { side: 28, top: 92, dock: 352, tools: 190 } as const;
+/** px the controls at the edges take: the top row, the tools, the actions, an open dock, and on phones tools and actions, or a sheet */
+const EDGE = { side: 28, top: 92, left: 104, bottom: 112, dock: 352, tools: 190 } as const;
 
 interface Knob {
   readonly handle: Handle;
@@ -141,9 +141,14 @@ export function middleNow({ document, selection, state }: Session): Vec3 | null 
 /** Where a hand can reach the handles. */
 function freeArea({ width, height }: Size, docked: boolean): Rect {
   const narrow = width < NARROW;
-  const bottom = !narrow ? EDGE.side : docked ? height / 2 + EDGE.side : EDGE.tools;
+  const bottom = !narrow ? EDGE.bottom : docked ? height / 2 + EDGE.side : EDGE.tools;
   const right = docked && !narrow ? EDGE.dock : EDGE.side;
-  return { left: EDGE.side, top: EDGE.top, right: width - right, bottom: height - bottom };
+  return {
+    left: narrow ? EDGE.side : EDGE.left,
+    top: EDGE.top,
+    right: width - right,
+    bottom: height - bottom,
+  };
 }
 
 export function knobsAround(view: View, size: Size, middle: Vec2, free: Rect, others: boolean): Knob[] {

@@ -21,3 +21,13 @@ export function marginsOf({ width, height }: Size, bare: boolean, readOnly: bool
   const shrink = Math.min(1, (1 - LEAST) / (top + bottom));
   return { left, top: top * shrink, right: AIR.right, bottom: bottom * shrink };
 }
+
+/** px: what else lies over a narrow picture while there is a form or a part in hand: the meter, and the card of it */
+const IN_HAND = { top: 128, bottom: 256 } as const;
+
+/** With a card of a tool, or of the unfinished form. */
+export function marginsInHand(margins: Margins, { width, height }: Size): Margins {
+  if (width >= NARROW || height < IN_HAND.top + IN_HAND.bottom) return margins;
+  const [top, bottom] = [IN_HAND.top / height, IN_HAND.bottom / height];
+  return { ...margins, top: Math.max(margins.top, top), bottom: Math.max(margins.bottom, bottom) };
+}

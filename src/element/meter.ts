@@ -1,20 +1,30 @@
 /** What the strokes are now, and what one more, or leaving the outline open, would make of them. */
 import { html, nothing, type TemplateResult } from 'lit';
-import { readingOf } from '../document/document.ts';
+import { readingOf, staysTubes } from '../document/document.ts';
 import { kindOfStrokes } from '../document/surfacePart.ts';
 import type { SurfaceKind } from '../surface/index.ts';
 import { icon } from './icons.ts';
+import { LongPress } from './longPress.ts';
 import type { Session } from './session.ts';
 import { METER_WORDS, SILHOUETTE_WORDS } from './words.ts';
 
 export function meter(session: Session): TemplateResult | typeof nothing {
   // while the pen closes an outline it already is what lifting would make it
   const { draft } = session.state.wet ? session.shown() : session.document;
-  if (!draft) return nothing;
+  if (!draft) return gone(session);
   // closed sides of a part that is in hand again are no outline
   const isSurface = draft.recreates !== undefined || draft.sections !== undefined;
-  if (draft.strokes[0]?.closed && !isSurface) return closedMeter(session);
-  return session.document.draft ? numbered(session) : nothing;
+  if (draft.strokes[0]?.closed && !isSurface) {
+    gone(session);
+    return closedMeter(session);
+  }
+  return session.document.draft ? numbered(session) : gone(session);
+}
+
+/** With its buttons goes what was held. */
+function gone(session: Session): typeof nothing {
+  holds.get(session)?.stop();
+  return nothing;
 }
 
 /** Two steps: the outline is closed, or left open. */
@@ -41,7 +51,7 @@ function numbered(session: Session): TemplateResult | typeof nothing {
   const { document } = session;
   const kind = readingOf(document);
   // a line, a curve or a point is no step on the way to a surface
-  if (!document.draft || kind === null || kind === 'solid') return nothing;
+  if (!document.draft || kind === null || kind === 'solid') return gone(session);
   const now = STEPS.indexOf(kind);
   return html`<div class="meter steps card chrome" part="meter" role="group" aria-label=${METER_WORDS.label}>
     ${STEPS.map((step, i) => stepButton(session, step, i, now))}
@@ -54,51 +64,38 @@ function stepButton(session: Session, step: SurfaceKind, i: number, now: number)
   const state = pinned ? 'pinned' : i < now ? 'done' : i === now ? 'current' : 'next';
   const { name, number } = METER_WORDS.steps[step];
   const sign = { pinned: 'lock', done: 'check', current: null, next: null } as const;
-  const hold = step === 'tube' ? held(session) : null;
+  const hold = step === 'tube' ? holdOf(session) : null;
   const label = `${number} ${name}${pinned ? `, ${METER_WORDS.everyStroke}` : ''}`;
+  const tap = (event: MouseEvent) => hold?.swallows(event) || takeStep(session, step);
   return html`<button class=${state} aria-label=${label} aria-current=${i === now ? 'step' : nothing} title=${METER_WORDS.hint(step, state)}
-    @click=${() => hold?.wasLong() || take(session, step, now)}
-    @pointerdown=${hold?.begin} @pointerup=${hold?.end} @pointerleave=${hold?.end} @contextmenu=${hold?.pin}>
+    @click=${tap} @pointerdown=${hold?.begin} @pointerup=${hold?.end} @pointerleave=${hold?.end} @contextmenu=${hold?.menu}>
     ${icon(step)}${sign[state] ? html`<span class="tick">${icon(sign[state])}</span>` : nothing}<span class="number">${number}</span><span class="long">${name}</span>
   </button>`;
 }
 
-/** Back to what fewer strokes make, on to what there are strokes for, or the tool that draws what is missing. */
-function take(session: Session, step: SurfaceKind, now: number): void {
+/** Back to what fewer strokes make, on to what there are strokes for, or the tool that draws what is missing: one undo step. */
+export function takeStep(session: Session, step: SurfaceKind): void {
   const { document } = session;
-  const draft = document.draft!;
+  const { draft } = document;
+  const kind = readingOf(document);
+  if (!draft || kind === null || kind === 'solid') return;
   const to = STEPS.indexOf(step);
   const whole = kindOfStrokes({ strokes: draft.strokes, sections: draft.sections ?? [] });
-  if (document.tubesOnly) session.run({ type: 'setTubesOnly', on: false });
-  if (to <= STEPS.indexOf(whole)) {
-    if (to !== now) session.run({ type: 'setForm', form: step === whole ? null : step });
-  } else if (to > 1) session.setTool('section');
+  if (to > STEPS.indexOf(whole)) {
+    if (staysTubes(document)) session.run({ type: 'setTubesOnly', on: false });
+    if (to > 1) session.setTool('section');
+  } else if (step === 'tube' && staysTubes(document)) session.run({ type: 'setTubesOnly', on: false });
+  else if (step !== kind) session.run({ type: 'setForm', form: step === whole ? null : step });
 }
 
-/** ms: a press this long pins */
-const LONG = 500;
-let timer: ReturnType<typeof setTimeout> | undefined;
-let long = false;
+/** By the element: of two in a page each is pressed by itself. */
+const holds = new WeakMap<Session, LongPress>();
 
 /** A press that lasts pins the step: every stroke a tube. So does the other button; keys find it in the settings. */
-function held(session: Session) {
-  const pin = () => {
-    long = true;
-    session.run({ type: 'setTubesOnly', on: !session.document.tubesOnly });
-  };
-  return {
-    begin: () => {
-      clearTimeout(timer);
-      long = false;
-      timer = setTimeout(pin, LONG);
-    },
-    end: () => clearTimeout(timer),
-    pin: (event: Event) => {
-      event.preventDefault();
-      clearTimeout(timer);
-      if (!long) pin();
-    },
-    /** The click that ends a long press is none. */
-    wasLong: () => long,
-  };
+function holdOf(session: Session): LongPress {
+  const known = holds.get(session);
+  if (known) return known;
+  const hold = new LongPress(() => session.run({ type: 'setTubesOnly', on: !session.document.tubesOnly }));
+  holds.set(session, hold);
+  return hold;
 }

@@ -93,7 +93,7 @@ export const partsLayout = css`
   .bends li > b { flex: 1; font-weight: 600; white-space: nowrap; }
   .bends li .b { color: var(--ink-2); }
   .bends li.unseen > b { color: var(--ink-2); font-weight: 500; }
-  .bends .length { width: auto; padding: 0 0.75rem; height: 2.25rem; font: 600 0.75rem/1rem var(--font); white-space: nowrap; }
+  .bends .length { width: auto; padding: 0 0.75rem; height: 2.75rem; font: 600 0.75rem/1rem var(--font); white-space: nowrap; }
   .detail { display: flex; align-items: center; border-top: 1px solid var(--hairline); margin-top: 0.5rem; padding-top: 0.25rem; }
   .detail > div { flex: 1; }
   .panel .detail h3 { color: var(--ink); font-size: 0.9375rem; min-height: 1.5rem; }
@@ -119,6 +119,11 @@ export const partsLayout = css`
     .acts.docked .b { min-width: 3rem; padding: 0 0.25rem; }
     .acts.docked .elsewhere { display: none; }
     .acts ~ .status { bottom: calc(var(--gap) + 5rem); max-width: 50%; }
+    .acts ~ .view { bottom: calc(var(--gap) + 5rem); }
+  }
+  @container (min-width: 700px) and (max-width: 899px) {
+    .acts:not(.edit, .docked) { left: calc(50% + 2.375rem); width: max-content; }
+    .acts:not(.edit, .docked) .b { min-width: 3.25rem; padding: 0 0.25rem; }
   }
   @container (min-width: 1100px) and (max-width: 1399px) {
     .acts.docked ~ .status { bottom: calc(var(--gap) + 5rem); max-width: 40%; }

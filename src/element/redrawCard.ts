@@ -14,7 +14,7 @@ export function redrawCard(session: Session): TemplateResult | typeof nothing {
   if (session.tool !== 'redraw' || !held || session.document.draft) return nothing;
   const reach = (local: boolean) => () => session.begin(redrawing(local));
   return html`<div class="acts edit card chrome" part="actions" role="group" aria-label=${EDIT_WORDS.redraw}>
-    <div class="what">${icon('redraw')}<b>${held.over ? EDIT_WORDS.redrawLit : EDIT_WORDS.redrawHover}</b></div>
+    <div class="what">${icon('redraw')}<b>${held.over ? EDIT_WORDS.redrawLit[held.over] : EDIT_WORDS.redrawHover}</b></div>
     ${segment(EDIT_WORDS.reach, [
       { name: EDIT_WORDS.whole, hint: EDIT_WORDS.wholeHint, on: !held.local, run: reach(false) },
       { name: EDIT_WORDS.here, hint: EDIT_WORDS.hereHint, on: held.local, run: reach(true) },

@@ -47,12 +47,13 @@ import type { Viewport } from '../tool/viewport.ts';
 import { Bodies, type News } from './bodies.ts';
 import { CameraMoves } from './cameraMoves.ts';
 import { draftProblem } from './draftProblem.ts';
-import { lacksBack, longName, previewWords, rememberStart, shortName } from './draftWords.ts';
+import { awaitedBack, longName, previewWords, rememberStart, shortName } from './draftWords.ts';
 import type { Cause } from './events.ts';
 import { Exact } from './exact.ts';
 import { isCastable, pickedAmong, pickedOn } from './exactPick.ts';
 import { type Flaw, flawsIn } from './flaws.ts';
 import { Frames } from './frames.ts';
+import { marginsInHand } from './margins.ts';
 import type { NoPicture } from './noPicture.ts';
 import type { Picked } from './picked.ts';
 import { Rays } from './rays.ts';
@@ -80,8 +81,13 @@ export const TOOLS = {
 const PATIENCE = 500;
 /** ms: a pen or a slider that is still for so long rests, and what is shown is made finely */
 const REST = 150;
+/** ms: a hint that stays for so long is spoken */
+const CALM = 600;
 /** Commands that make another form of the unfinished strokes. */
 const FORMING = ['addStroke', 'setTubesOnly', 'setForm', 'addSection', 'removeSection', 'setStroke'];
+
+const isRemoval = (command: Command): boolean =>
+  command.type === 'removeSection' || (command.type === 'setStroke' && command.stroke === null);
 
 export type ToolName = keyof typeof TOOLS;
 
@@ -137,6 +143,9 @@ export class Session implements Bench, Viewport {
   /** what moves has been still for a while */
   #rests = false;
   #resting: ReturnType<typeof setTimeout> | undefined;
+  /** the hint that has come to rest, for those who do not see it; '' while it changes */
+  hintAtRest = '';
+  #calming: ReturnType<typeof setTimeout> | undefined;
   /** that were last asked for, and whether roughly */
   #wanted: { readonly nodes: readonly FieldNode[]; readonly isRough: boolean } = {
     nodes: [],
@@ -170,6 +179,10 @@ export class Session implements Bench, Viewport {
 
   get viewport(): Viewport {
     return this;
+  }
+
+  room(): Margins {
+    return marginsInHand(this.margins(), this.size);
   }
 
   get view(): View {
@@ -223,7 +236,7 @@ export class Session implements Bench, Viewport {
     this.said = said;
     for (const command of commands)
       if (command.type === 'addStroke' && command.joins) rememberStart(command.stroke, command.joins);
-    if (commands.some(({ type }) => FORMING.includes(type))) this.#sayPreview();
+    this.#sayForm(commands);
     if (commands.some(({ type }) => type === 'addStroke')) this.#sayCrossings();
     this.#replaced(before, commands, 'command');
   }
@@ -445,11 +458,14 @@ export class Session implements Bench, Viewport {
     this.commit([command]);
   }
 
-  #sayPreview(): void {
-    if (!readingOf(this.document)) return;
+  /** What the unfinished form is now; what went of it was said. */
+  #sayForm(commands: readonly Command[]): void {
+    const back = awaitedBack(this.document, commands);
+    if (back) this.said = SECTION_WORDS.nowBack(back);
+    if (back || !commands.some(({ type }) => FORMING.includes(type)) || !readingOf(this.document)) return;
     const problem = draftProblem(this.document);
-    if (!problem && lacksBack(this.document)) this.said = SECTION_WORDS.nowBack;
-    else this.said = problem ? `${longName(this.document)}: ${problem}` : previewWords(this.document);
+    if (problem) this.said = `${longName(this.document)}: ${problem}`;
+    else if (!commands.every(isRemoval)) this.said = previewWords(this.document);
   }
 
   /** Nothing drawn is lost: what goes round something twice is filled once. */
@@ -603,12 +619,25 @@ export class Session implements Bench, Viewport {
     const closes = next.wet !== undefined && next.wet.closing !== (this.state.wet?.closing ?? false);
     const began = closes || shows(next) !== shows(this.state) || hintOf(next) !== hintOf(this.state);
     if ((next.faint ?? false) !== (this.state.faint ?? false)) this.scene?.setFaint(next.faint ?? false);
+    const { hint } = this;
     this.state = next;
+    if (this.hint !== hint) this.#calmHint();
     if (next.waits) this.#waiting = next;
     this.#stir();
     // said once, not at every move
     if (closes) this.said = previewWords(this.shown());
     this.update(began);
+  }
+
+  /** Said once when the pen rests, not at every place it passes. */
+  #calmHint(): void {
+    clearTimeout(this.#calming);
+    this.hintAtRest = '';
+    if (!this.hint) return;
+    this.#calming = setTimeout(() => {
+      this.hintAtRest = this.hint;
+      this.update();
+    }, CALM);
   }
 
   /** It moves, and may rest in a moment. */
@@ -622,10 +651,14 @@ export class Session implements Bench, Viewport {
     }, REST);
   }
 
-  notify(notice: ToolNotice, offer: readonly Command[] = []): void {
+  notify(notice: ToolNotice, offer: readonly Command[] = [], from: View | null = null): void {
     if (notice === 'selected') this.saySelection();
     if (notice === 'too-short') this.#offerPoint(offer);
     if (notice in EDIT_WORDS.said) this.said = EDIT_WORDS.said[notice as keyof typeof EDIT_WORDS.said];
+    if (from) {
+      const turn = { label: WORDS.turn, run: () => this.lookFrom(from) };
+      this.notice = { text: this.said, passing: true, actions: [turn] };
+    }
     if (notice === 'no-sides' || notice === 'bent' || notice === 'off-sides')
       this.said = SECTION_WORDS.notAcross[notice];
     if (notice === 'edge-on') {
@@ -785,4 +818,8 @@ export class Session implements Bench, Viewport {
 }
 
 const hintOf = ({ guide, redrawing: held }: State): string =>
-  guide ? SECTION_WORDS.at(Math.round(100 * guide.u), guide.side) : held?.over ? EDIT_WORDS.redrawLit : '';
+  guide
+    ? SECTION_WORDS.at(Math.round(100 * guide.u), guide.side)
+    : held?.over
+      ? EDIT_WORDS.redrawLit[held.over]
+      : '';

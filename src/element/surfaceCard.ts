@@ -2,11 +2,12 @@
 import { html, nothing, type TemplateResult } from 'lit';
 import type { SurfacePart } from '../document/document.ts';
 import { outlinesOfPart } from '../document/sheets.ts';
-import { BACKS, BETWEENS, type Bend, kindOfStrokes } from '../document/surfacePart.ts';
-import { BACK_ICONS } from './acrossCard.ts';
+import { BETWEENS, type Bend, kindOfStrokes } from '../document/surfacePart.ts';
+import { backChoices } from './acrossCard.ts';
 import { editBend } from './bending.ts';
-import { iconButton, roving } from './controls.ts';
+import { iconButton } from './controls.ts';
 import { detailRows } from './detailRows.ts';
+import { segment } from './editSegment.ts';
 import { icon } from './icons.ts';
 import { outlinePicture } from './outlinePicture.ts';
 import { toggle } from './panelFrame.ts';
@@ -46,7 +47,7 @@ function sections(session: Session, part: SurfacePart): TemplateResult | typeof 
         return html`<div class="tile">
           <button class="pick" aria-pressed=${lit === i} aria-label=${SURFACE_WORDS.light(at)} @click=${() => lightSection(session, part, i)}>
             ${outline ? outlinePicture(outline) : icon('section')}<span>${at}</span></button>
-          ${iconButton('x', SURFACE_WORDS.remove(at), () => remove(i), { class: 'off' })}
+          ${iconButton('x', SURFACE_WORDS.removeSection(at), () => remove(i), { class: 'off' })}
         </div>`;
       })}
       ${strokes.length === 2 ? html`<button class="tile add" @click=${() => drawSection(session, part)}>${icon('plus')}<span>${SURFACE_WORDS.draw}</span></button>` : nothing}
@@ -59,46 +60,22 @@ function drawSection(session: Session, { id }: SurfacePart): void {
 }
 
 function backs(session: Session, parts: readonly SurfacePart[]): TemplateResult {
-  const now = same(parts.map(({ back }) => back));
   const ids = parts.map(({ id }) => id);
-  return segment(
-    SECTION_WORDS.back,
-    BACKS.map((value) => ({ value, ...SECTION_WORDS.backs[value], image: BACK_ICONS[value] })),
-    now,
-    (back) => session.run({ type: 'setSurface', ids, change: { back } }),
+  const choices = backChoices(same(parts.map(({ back }) => back)), (back) =>
+    session.run({ type: 'setSurface', ids, change: { back } }),
   );
+  return html`<h3>${SECTION_WORDS.back}</h3>${segment(SECTION_WORDS.back, choices)}`;
 }
 
 function betweens(session: Session, parts: readonly SurfacePart[]): TemplateResult {
   const now = same(parts.map(({ between }) => between));
   const ids = parts.map(({ id }) => id);
-  return segment(
-    SURFACE_WORDS.between,
-    BETWEENS.map((value) => ({ value, ...SURFACE_WORDS.betweens[value] })),
-    now,
-    (between) => session.run({ type: 'setSurface', ids, change: { between } }),
-  );
-}
-
-interface Choice<T> {
-  readonly value: T;
-  readonly name: string;
-  readonly hint: string;
-  readonly image?: Parameters<typeof icon>[0];
-}
-
-function segment<T>(title: string, choices: readonly Choice<T>[], now: T | null, set: (value: T) => void) {
-  return html`<h3>${title}</h3>
-    <div class="segment pictured" role="radiogroup" aria-label=${title} @keydown=${roving}>
-      ${choices.map(
-        (
-          { value, name, hint, image },
-          i,
-        ) => html`<button role="radio" title=${hint} aria-checked=${value === now}
-          tabindex=${value === now || (now === null && i === 0) ? 0 : -1} @click=${() => value !== now && set(value)}
-        >${image ? icon(image, 20) : nothing}<span>${name}</span></button>`,
-      )}
-    </div>`;
+  const choices = BETWEENS.map((between) => ({
+    ...SURFACE_WORDS.betweens[between],
+    on: between === now,
+    run: () => session.run({ type: 'setSurface', ids, change: { between } }),
+  }));
+  return html`<h3>${SURFACE_WORDS.between}</h3>${segment(SURFACE_WORDS.between, choices)}`;
 }
 
 /** What all have; null where they differ. */
@@ -120,8 +97,8 @@ function bendRow(session: Session, { id, name }: SurfacePart, bend: Bend, index:
   const eye = isOff ? SURFACE_WORDS.bendOn(word) : SURFACE_WORDS.bendOff(word);
   return html`<li class=${isOff ? 'unseen' : ''}>
     <b>${word}</b>
-    <button class="b quiet length" aria-pressed=${keepsLength} title=${SURFACE_WORDS.lengthHint} aria-label="${word} of ${name}: ${SURFACE_WORDS.length[keepsLength ? 'kept' : 'stretched']}"
-      @click=${() => set({ keepsLength: !keepsLength })}>${SURFACE_WORDS.length[keepsLength ? 'kept' : 'stretched']}</button>
+    <button class="b toggle length" aria-pressed=${keepsLength} title=${SURFACE_WORDS.lengthHint} aria-label="${SURFACE_WORDS.lengthKept}, ${word} of ${name}"
+      @click=${() => set({ keepsLength: !keepsLength })}>${SURFACE_WORDS.lengthKept}</button>
     ${iconButton(isOff ? 'eyeOff' : 'eye', eye, () => set({ isOff: !isOff }))}
     ${iconButton('redraw', SURFACE_WORDS.redrawBend(word), () => editBend(session, id, index))}
     ${iconButton('x', SURFACE_WORDS.remove(word), () => set(null))}

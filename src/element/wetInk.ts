@@ -5,9 +5,10 @@
  */
 import { curveOfStroke } from '../document/curves.ts';
 import { type Brush, isSurface, readingOf } from '../document/document.ts';
-import { pairOf } from '../document/pairs.ts';
 import { sectionCurves } from '../document/sectionCurves.ts';
+import { PLAIN } from '../document/surfacePart.ts';
 import { place3, UNMOVED } from '../math/placement.ts';
+import { cross3 } from '../math/tuple.ts';
 import type { Vec2, Vec3 } from '../math/vec.ts';
 import { project, toWorld } from '../stroke/plane.ts';
 import type { Stroke } from '../stroke/stroke.ts';
@@ -52,17 +53,17 @@ export function drawInk(
     drawAxis(context, lines[0]!, lines[1]!, colours);
   for (const line of lines) drawLine(context, line, colours.ink);
   const across = draftSections(session);
-  for (const { line, isBack } of across) {
+  for (const { line, isBehind } of across) {
     // what lies behind is drawn behind
-    context.globalAlpha = isBack ? 0.45 : 1;
+    context.globalAlpha = isBehind ? 0.45 : 1;
     drawLine(context, line, colours.ink);
     context.globalAlpha = 1;
   }
   // outlines are not counted
   if (readingOf(session.document) !== 'solid') {
     for (const i of lines.keys()) drawNumber(context, i, lines, colours);
-    for (const [i, { line, isBack }] of across.entries())
-      drawSectionNumber(context, lines.length + i + 1, isBack ? [...line].reverse() : line, colours);
+    for (const [i, { at }] of across.entries())
+      if (at) writeNumber(context, lines.length + i + 1, at, colours);
   }
   for (const mark of session.notice?.marks ?? []) drawMark(context, mark, session, colours);
   if (session.state.wet) drawWet(context, session.state.wet, predicted, colours);
@@ -134,21 +135,44 @@ function dried(stroke: Stroke, brush: Brush, { view, size }: Session, placement 
 
 interface SectionInk {
   readonly line: readonly Dot[];
-  readonly isBack: boolean;
+  readonly isBehind: boolean;
+  /** of its number, px; null: behind the camera */
+  readonly at: Vec2 | null;
 }
 
-/** Sections as they were drawn, but for their ends, which are where the surface has them. */
+/** What sections are made of, as it was drawn, but for its ends, which are where the surface has them. */
 function draftSections({ document, view, size }: Session): readonly SectionInk[] {
   const { draft, brush } = document;
-  const pair = draft?.sections && pairOf(draft.strokes, brush);
-  if (!pair) return [];
-  return sectionCurves(draft.sections ?? [], pair, brush).map(({ points, pressure, isBack }) => ({
-    isBack,
-    line: points.flatMap((p, i) => {
-      const at = project(view, size, toWorld(draft.strokes[0]!.plane, p));
-      return at ? [{ x: at[0], y: at[1], pressure: pressure[i]! }] : [];
-    }),
-  }));
+  if (!draft?.sections || readingOf(document) === 'solid') return [];
+  const { plane } = draft.strokes[0]!;
+  const [nx, ny, nz] = cross3(plane.x, plane.y);
+  const pixel = ([x, y, z]: Vec3) => {
+    const [ax, ay, az] = toWorld(plane, [x, y]);
+    return project(view, size, [ax + z * nx, ay + z * ny, az + z * nz]);
+  };
+  const curves = sectionCurves({ strokes: draft.strokes, sections: draft.sections ?? PLAIN.sections }, brush);
+  return curves.map(({ points, pressure, section, as, ends }, i) => {
+    const before = curves.slice(0, i).filter((other) => other.section === section && other.as !== 'back');
+    const [left, right] = ends.map(([x, y]) => pixel([x, y, 0]));
+    return {
+      isBehind: as === 'back',
+      line: points.flatMap((p, k) => {
+        const at = pixel(p);
+        return at ? [{ x: at[0], y: at[1], pressure: pressure[k]! }] : [];
+      }),
+      at: as === 'back' ? beyond(right, left, 0) : beyond(left, right, before.length),
+    };
+  });
+}
+
+/** px from the end of a chord: outside of the ring that shows where the pen is near; and from one number to the next beyond it */
+const BEYOND = { first: 36, next: 26 } as const;
+
+/** Backs beyond one end, all others beyond the other one: no number covers another. */
+function beyond(end: Vec2 | null | undefined, other: Vec2 | null | undefined, place: number): Vec2 | null {
+  if (!end || !other) return null;
+  const by = (BEYOND.first + place * BEYOND.next) / (Math.hypot(end[0] - other[0], end[1] - other[1]) || 1);
+  return [end[0] + by * (end[0] - other[0]), end[1] + by * (end[1] - other[1])];
 }
 
 /** One filled outline, as wide as the pen was pressed: overlapping strokes would show their joints as beads. */
@@ -282,20 +306,6 @@ function drawNumber(
   const x = start.x + side;
   const y = start.y + 22 * up;
   writeNumber(context, index + 1, [x, y], colours);
-}
-
-/** Beyond its start, outside of the ring that shows where the pen is near; of a back beyond its end, where nothing is yet. */
-function drawSectionNumber(
-  context: CanvasRenderingContext2D,
-  number: number,
-  line: readonly Dot[],
-  colours: InkColours,
-): void {
-  const [start, end] = [line[0], line.at(-1)];
-  if (!start || !end) return;
-  const length = distance(start, end) || 1;
-  const by = 36 / length;
-  writeNumber(context, number, [start.x + by * (start.x - end.x), start.y + by * (start.y - end.y)], colours);
 }
 
 function writeNumber(

@@ -38,8 +38,8 @@ export function bendPath(axis: Axis, curve: Curve, keepsLength: boolean): BendPa
   if (!(curve.length > 0 && curve.length < Infinity)) return null;
   const round = axis.closed && curve.closed;
   const sense = round ? senseRound(axis, curve) : senseAlong(axis, curve);
-  const start = round ? nearestStart(axis, curve) : sense === 1 ? 0 : 1;
   const part = keepsLength && !round ? 1 / curve.length : 1 / axis.length;
+  const start = round ? nearestStart(axis, curve) : sense === 1 ? 0 : part * axis.length;
   const on = (walked: number): number => snapped(start + sense * part * walked, curve, round);
   const at: BendPath['at'] = (walked, side) => {
     const t = on(walked);

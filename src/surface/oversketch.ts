@@ -4,7 +4,7 @@
  *
  * Departures. The thesis then parametrises the whole anew; here the stroke takes over the v of what it replaces, so that all else
  * stays where it is, on this section and between sections. On closed outlines it does not say which of the two parts
- * goes: the one nearer to the stroke. The stroke's ends are moved onto the outline, fading over a quarter of it, and
+ * goes: the one nearer to the stroke, or, where both are about as near, the one that was seen. The stroke's ends are moved onto the outline, fading over a quarter of it, and
  * turned into its direction where they differ by less than 30° (else there is a corner).
  */
 import { add2, distance2, dot2, length2, scale2, sub2 } from '../math/tuple.ts';
@@ -29,11 +29,19 @@ export function nearestV(outline: Outline, p: Vec2): number {
   return nearestParameter(outline.point, (v) => outline.derivative(v, 1), p, outline.closed);
 }
 
-/** `stroke` in half chords, in the outline's frame, drawn either way. The outline itself when the stroke says nothing. */
-export function redrawn(outline: Outline, stroke: Curve): Outline {
+/** nearness (of one part to that of the other) from which on both are meant as much: a dent to the middle of a circle */
+const TIE = 2 / 3;
+/** sine of the angle between the plane and the line of sight: one who looks straight onto the plane sees both parts */
+const SEES_BOTH = 0.2;
+
+/**
+ * `stroke` in half chords, in the outline's frame, drawn either way; `towards`: the person who drew it, what the unit vector there shows
+ * in the outline's plane. The outline itself when the stroke says nothing.
+ */
+export function redrawn(outline: Outline, stroke: Curve, towards: Vec2 = [0, 0]): Outline {
   if (!(stroke.length > 0 && stroke.length < Infinity)) return outline;
   if (stroke.closed) return outline.closed ? redrawnWhole(outline, stroke) : outline;
-  const part = partOf(outline, stroke);
+  const part = partOf(outline, stroke, towards);
   if (!(part.span >= LEAST_PART)) return outline;
   return replaced(outline, part, arcOf(outline, stroke, part));
 }
@@ -48,15 +56,23 @@ interface Part {
   readonly t1: number;
 }
 
-function partOf(outline: Outline, stroke: Curve): Part {
+function partOf(outline: Outline, stroke: Curve, towards: Vec2): Part {
   const [a, b] = [nearestV(outline, stroke.point(0)), nearestV(outline, stroke.point(1))];
   const forth: Part = { from: a, span: b - a, t0: 0, t1: 1 };
   const back: Part = { from: b, span: a - b, t0: 1, t1: 0 };
   if (!outline.closed) return trimmed(outline, stroke, a <= b ? forth : back);
   const round = [forth, back].map((part) => ({ ...part, span: part.span - Math.floor(part.span) }));
   const [first, second] = round as [Part, Part];
-  return distanceTo(outline, stroke, first) <= distanceTo(outline, stroke, second) ? first : second;
+  const [one, other] = [distanceTo(outline, stroke, first), distanceTo(outline, stroke, second)];
+  const isTie = Math.min(one, other) > TIE * Math.max(one, other) && length2(towards) > SEES_BOTH;
+  if (isTie)
+    return towardsOf(outline, first, towards) >= towardsOf(outline, second, towards) ? first : second;
+  return one <= other ? first : second;
 }
+
+/** How far a part comes towards the person who looks, on the whole. */
+const towardsOf = (outline: Outline, part: Part, towards: Vec2): number =>
+  pointsOf(outline, part).reduce((sum, p) => sum + dot2(p, towards), 0);
 
 /** What was drawn beyond the ends of an open outline is left out. */
 function trimmed(outline: Outline, stroke: Curve, part: Part): Part {
@@ -69,12 +85,15 @@ function trimmed(outline: Outline, stroke: Curve, part: Part): Part {
 }
 
 const PROBES = 48;
+const PLACES = Array.from({ length: PROBES + 1 }, (_, i) => i / PROBES);
+
+const pointsOf = (outline: Outline, { from, span }: Part): Vec2[] =>
+  PLACES.map((x) => outline.point(wrapped(from + span * x)));
 
 /** How far a part of the outline and the stroke are from each other, on the whole. */
-function distanceTo(outline: Outline, stroke: Curve, { from, span }: Part): number {
-  const places = Array.from({ length: PROBES + 1 }, (_, i) => i / PROBES);
-  const drawn = places.map((t) => stroke.point(t));
-  const there = places.map((x) => outline.point(wrapped(from + span * x)));
+function distanceTo(outline: Outline, stroke: Curve, part: Part): number {
+  const drawn = PLACES.map((t) => stroke.point(t));
+  const there = pointsOf(outline, part);
   return meanDistance(drawn, there) + meanDistance(there, drawn);
 }
 

@@ -7,22 +7,23 @@ import { pairOf } from '../document/pairs.ts';
 import { placedStroke } from '../document/placedStroke.ts';
 import { type Back, nearestSection, type Section } from '../document/surfacePart.ts';
 import { type Placement, UNMOVED } from '../math/placement.ts';
-import { distance2, dot2, mix2, sub2 } from '../math/tuple.ts';
+import { distance2, dot2, sub2 } from '../math/tuple.ts';
 import type { Vec2 } from '../math/vec.ts';
 import { isInside } from '../skeleton/medial/outline.ts';
 import { project, toWorld } from '../stroke/plane.ts';
 import type { Plane } from '../stroke/stroke.ts';
 import type { Pair } from '../surface/pair.ts';
 import { isEdgeOn } from './penStroke.ts';
+import { type Nearest, nearestOn, PIECES, rememberedBy, type SeenPoints } from './seenCurve.ts';
 import type { Bench, Pen } from './tool.ts';
 import type { Viewport } from './viewport.ts';
 
 /** px from a construction curve in which it is meant */
 export const REACH = 24;
+/** px along a construction curve from a section without a back in which that is meant */
+const BACK_REACH = 48;
 /** px: across less nothing can be drawn */
 const LEAST_CHORD = 12;
-/** pieces a curve is looked at in; the nearest place on them is then exact */
-const PIECES = 128;
 
 /** What sections can be drawn across. */
 export interface Across {
@@ -98,22 +99,39 @@ export function guideAt(
   least = LEAST_CHORD,
 ): Guide | null {
   const at: Vec2 = [pen.x, pen.y];
-  const [left, right] = (['left', 'right'] as const).map((side) => nearestOn(across, side, at, viewport));
+  const [left, right] = (['left', 'right'] as const).map((side) => nearestSide(across, side, at, viewport));
   const [near, found] =
     left!.distance <= right!.distance ? ['left' as const, left!] : ['right' as const, right!];
   if (!(found.distance <= REACH)) return null;
-  const guide = guideThrough(across, found.u, near);
+  const guide = guideThrough(across, found.u, near, viewport);
   const [a, b] = endsOf(guide, viewport);
   return a && b && distance2(a, b) >= least ? guide : null;
 }
 
-/** A back goes to the section that it is nearest to, once. */
-export function guideThrough(across: Across, u: number, near: SideName): Guide {
+/** Within reach of a section that lacks its back it is that; anywhere else a section of its own. */
+function guideThrough(across: Across, u: number, near: SideName, viewport: Viewport): Guide {
   const section = across.sections[nearestSection(across.sections, u)];
-  const isBack = across.back === 'drawn' && section?.front && !section.back;
+  const isBack = section && lacksBack(across, section) && isBeside(across, [u, section.u], near, viewport);
   const place = isBack ? section.u : u;
   const { left, right } = across.pair.at(place, 1);
   return { across, u: place, left, right, near, side: isBack ? 'back' : 'front' };
+}
+
+/** Sections whose backs are still to be drawn. */
+export const lackingBacks = (across: Pick<Across, 'sections' | 'back'>): readonly Section[] =>
+  across.sections.filter((section) => lacksBack(across, section));
+
+const lacksBack = ({ back: of }: Pick<Across, 'back'>, { front, back }: Section): boolean =>
+  of === 'drawn' && front !== null && back === null;
+
+function isBeside(
+  across: Across,
+  [a, b]: readonly [number, number],
+  near: SideName,
+  { view, size }: Viewport,
+): boolean {
+  const [p, q] = [a, b].map((u) => project(view, size, toWorld(across.plane, across.pair.at(u, 1)[near])));
+  return Boolean(p && q && distance2(p, q) <= BACK_REACH);
 }
 
 /** Taken hold of at the end that is nearer to the pen. */
@@ -145,59 +163,34 @@ export function distanceToOther(
   { x, y }: Pick<Pen, 'x' | 'y'>,
   viewport: Viewport,
 ): number {
-  return nearestOn(across, near === 'left' ? 'right' : 'left', [x, y], viewport).distance;
+  return nearestSide(across, near === 'left' ? 'right' : 'left', [x, y], viewport).distance;
 }
 
 /** Between the curves, or within reach of one. */
 export function isWithin(across: Across, { x, y }: Pick<Pen, 'x' | 'y'>, viewport: Viewport): boolean {
   const at: Vec2 = [x, y];
-  const sides = (['left', 'right'] as const).map((side) => nearestOn(across, side, at, viewport).distance);
+  const sides = (['left', 'right'] as const).map((side) => nearestSide(across, side, at, viewport).distance);
   if (Math.min(...sides) <= REACH) return true;
   const { left, right } = seenSides(across, viewport);
   const there = (points: readonly (Vec2 | null)[]) => points.filter((p) => p !== null);
   return isInside(at, [[...there(left), ...there(right).reverse()]]);
 }
 
-interface Nearest {
-  readonly u: number;
-  /** px */
-  readonly distance: number;
-}
+const nearestSide = (across: Across, side: SideName, at: Vec2, viewport: Viewport): Nearest =>
+  nearestOn(seenSides(across, viewport)[side], at);
 
-function nearestOn(across: Across, side: SideName, at: Vec2, viewport: Viewport): Nearest {
-  const points = seenSides(across, viewport)[side];
-  let best: Nearest = { u: 0, distance: Infinity };
-  for (let i = 1; i < points.length; i++) {
-    const [a, b] = [points[i - 1], points[i]];
-    if (!a || !b) continue;
-    const t = alongSegment(at, a, b);
-    const distance = distance2(at, mix2(a, b, t));
-    if (distance < best.distance) best = { u: (i - 1 + t) / PIECES, distance };
-  }
-  return best;
-}
+type Sides = Readonly<Record<SideName, SeenPoints>>;
 
-function alongSegment(p: Vec2, a: Vec2, b: Vec2): number {
-  const ab = sub2(b, a);
-  const square = dot2(ab, ab);
-  return square > 0 ? Math.min(Math.max(dot2(sub2(p, a), ab) / square, 0), 1) : 0;
-}
-
-type Sides = Readonly<Record<SideName, readonly (Vec2 | null)[]>>;
-
-/** By the pair, on one plane in one view: a pen hovers a hundred times a second. */
-const seen = new WeakMap<Pair, { readonly key: string; readonly sides: Sides }>();
+/** By the pair, on one plane in one view. */
+const sidesOf = rememberedBy<Pair, Sides>();
 
 function seenSides({ pair, plane }: Across, { view, size }: Viewport): Sides {
-  const key = JSON.stringify([plane, view, size]);
-  const known = seen.get(pair);
-  if (known?.key === key) return known.sides;
-  const chords = Array.from({ length: PIECES + 1 }, (_, i) => pair.at(i / PIECES, 1));
-  const pixel = (p: Vec2) => project(view, size, toWorld(plane, p));
-  const sides = {
-    left: chords.map(({ left }) => pixel(left)),
-    right: chords.map(({ right }) => pixel(right)),
-  };
-  seen.set(pair, { key, sides });
-  return sides;
+  return sidesOf(pair, [plane, view, size], () => {
+    const chords = Array.from({ length: PIECES + 1 }, (_, i) => pair.at(i / PIECES, 1));
+    const pixel = (p: Vec2) => project(view, size, toWorld(plane, p));
+    return {
+      left: chords.map(({ left }) => pixel(left)),
+      right: chords.map(({ right }) => pixel(right)),
+    };
+  });
 }

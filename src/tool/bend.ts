@@ -18,6 +18,7 @@ import type { Plane, Stroke, View } from '../stroke/stroke.ts';
 import { isBendable } from '../surface/deform.ts';
 import { within } from '../surface/sideView.ts';
 import type { Mark } from './marks.ts';
+import { previewed } from './previewed.ts';
 import { sideView, viewOnto } from './sideView.ts';
 import type { Bench, Pen, State } from './tool.ts';
 import { isClosing, strokeOf, type Trace, traced, traceFrom } from './trace.ts';
@@ -112,7 +113,7 @@ function bending(held: Bending): State {
         bench.notify('end-on');
         return undefined;
       }
-      return drawing(held, traceFrom(pen, bench.viewport.view));
+      return drawing(stillThere(held, part), traceFrom(pen, bench.viewport.view));
     },
     leave: (bench) => bench.lookFrom(held.home),
     cancel: () => state,
@@ -120,18 +121,20 @@ function bending(held: Bending): State {
   return state;
 }
 
+/** Where bends beneath it were undone it comes after those that are left, and is a new one. */
+const stillThere = (held: Bending, { bends: { length } }: SurfacePart): Bending =>
+  held.index <= length ? held : { ...held, index: length, old: null };
+
 function drawing(held: Bending, trace: Trace): State {
-  let shown: Document | null = null;
   return {
     name: 'bend.drawing',
     bending: held,
     wet: { pens: trace.pens, on: null, closing: false },
     marked: (bench) => marksOf(held, bench.document, true),
-    preview(bench) {
+    preview: previewed((bench) => {
       const command = commandOf(held, trace, bench);
-      shown ??= command && apply(bench.document, command);
-      return shown;
-    },
+      return command && apply(bench.document, command);
+    }),
     move: (pens) => drawing(held, traced(trace, pens)),
     up(bench) {
       const command = commandOf(held, trace, bench);

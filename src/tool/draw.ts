@@ -16,6 +16,7 @@ import type { Plane, Stroke } from '../stroke/stroke.ts';
 import { acrossOf, type Guide, guideAt, isWithin } from './across.ts';
 import { isSnapped, marksOf, plan as planSection } from './crossing.ts';
 import { isEdgeOn, strokeOn } from './penStroke.ts';
+import { previewed } from './previewed.ts';
 import type { Bench, Pen, State } from './tool.ts';
 import { isClosing, LEAST_LENGTH, type Trace, traced, traceFrom } from './trace.ts';
 import type { Hit } from './viewport.ts';
@@ -58,7 +59,7 @@ function drawing(drawn: Drawn): State {
   return {
     name: drawn.length < LEAST_LENGTH ? 'draw.pointing' : 'draw.drawing',
     wet: { pens, on: ground.on, closing: isClosing(drawn) },
-    preview: (bench) => previewOf(drawn, bench),
+    preview: previewed((bench) => previewOf(drawn, bench)),
     move: (more, bench) => over(traced(drawn, more), bench),
     up(bench) {
       const across = sectionOf(drawn, bench);

@@ -21,13 +21,20 @@ export function sectionMarks(part: SurfacePart, u: number): readonly Mark[] {
 /** Its control mesh, where it has one, its strokes as they are, and their control points. */
 export function controlMarks(part: SurfacePart): readonly Mark[] {
   const lines = controlLinesOf(part.kind, part, part.brush);
+  const isBent = part.bends.some(({ isOff }) => !isOff);
   return [
     ...lines.map(
       (points): Mark => ({ kind: 'line', style: 'control', points: points.map((p) => inWorld(part, p)) }),
     ),
-    ...part.strokes.flatMap((stroke) => strokeMarks(part, stroke)),
+    ...part.strokes.flatMap((stroke) => (isBent ? faintMarks : strokeMarks)(part, stroke)),
   ];
 }
+
+/** Of a bent form the strokes lie where it was before: they step back, and their control points are left out. */
+const faintMarks = ({ placement }: SurfacePart, { samples, plane, closed }: Stroke): readonly Mark[] => {
+  const points = samples.map(({ x, y }) => place3(placement, toWorld(plane, [x, y])));
+  return [{ kind: 'line', style: 'control', points, ...(closed && { closed: true as const }) }];
+};
 
 /** A stroke as it was filtered: the polygon of its control points, and those. */
 function strokeMarks({ placement, brush }: SurfacePart, stroke: Stroke): readonly Mark[] {

@@ -8,13 +8,11 @@ import { cross2, distance2, sub2 } from '../math/tuple.ts';
 import type { Vec2, Vec3 } from '../math/vec.ts';
 import { facingPlane, onPlane, rayAt, toWorld } from '../stroke/plane.ts';
 import type { Mark } from './marks.ts';
-import type { Bench, Pen, State } from './tool.ts';
+import { previewed } from './previewed.ts';
+import type { State } from './tool.ts';
+import { isClosing, LEAST_LENGTH, type Trace, traced, traceFrom } from './trace.ts';
 import type { Viewport } from './viewport.ts';
 
-/** px: less is a tap, which says nothing */
-const MINIMUM = 8;
-/** a stroke that comes back to within this part of its length is a circle */
-const CLOSED = 0.15;
 /** of a closed line that encloses less than this part of what its length could, nothing is round */
 const ROUND = 0.3;
 
@@ -30,34 +28,43 @@ export function sizing(on: Sizing): State {
   const state: State = {
     name: 'radius.idle',
     still: true,
-    down: (pen) => drawing(on, [pen], null),
+    down: (pen, { viewport }) => drawing(on, traceFrom(pen, viewport.view)),
     cancel: () => on.back,
   };
   return state;
 }
 
-function drawing(on: Sizing, pens: readonly Pen[], bench: Bench | null): State {
-  const points = bench ? pointsOf(pens, on.at, bench.viewport) : [];
-  const isTap = !bench || wayOf(pens.map(({ x, y }): Vec2 => [x, y])) < MINIMUM;
-  const radius = isTap ? null : radiusOf(points);
-  const command = radius === null ? null : on.command(radius);
+function drawing(on: Sizing, trace: Trace): State {
+  const closing = isClosing(trace);
   return {
     name: 'radius.drawing',
     still: true,
-    wet: { pens: [...pens], on: null, closing: false },
-    ...(radius !== null && bench && { marks: tagOf(on, points, radius, bench.viewport) }),
-    preview: ({ document }) => command && apply(document, command),
-    move: (more, now) => drawing(on, [...pens, ...more], now),
-    up(now) {
-      if (command) now.commit([command]);
+    wet: { pens: trace.pens, on: null, closing },
+    marked: (bench) => tagOf(on, trace, bench.viewport),
+    preview: previewed((bench) => {
+      const command = commandOf(on, trace, bench.viewport);
+      return command && apply(bench.document, command);
+    }),
+    move: (more) => drawing(on, traced(trace, more)),
+    up(bench) {
+      const command = commandOf(on, trace, bench.viewport);
+      if (command) bench.commit([command]);
       return command ? on.back : sizing(on);
     },
     cancel: () => on.back,
   };
 }
 
+function commandOf(on: Sizing, trace: Trace, { size }: Viewport): Command | null {
+  const radius = drawnRadius(on, trace, size);
+  return radius === null ? null : on.command(radius);
+}
+
+const drawnRadius = (on: Sizing, trace: Trace, size: Viewport['size']): number | null =>
+  trace.length < LEAST_LENGTH ? null : radiusOf(pointsOf(on, trace, size), isClosing(trace));
+
 /** mm on the plane through the tube that faces the person. */
-function pointsOf(pens: readonly Pen[], at: Vec3, { view, size }: Viewport): Vec2[] {
+function pointsOf({ at }: Sizing, { pens, view }: Trace, size: Viewport['size']): Vec2[] {
   const plane = facingPlane(view, at);
   return pens.flatMap(({ x, y }) => {
     const point = onPlane(rayAt(view, size, x, y), plane);
@@ -68,14 +75,14 @@ function pointsOf(pens: readonly Pen[], at: Vec3, { view, size }: Viewport): Vec
 const wayOf = (points: readonly Vec2[]): number =>
   points.slice(1).reduce((sum, point, i) => sum + distance2(points[i]!, point), 0);
 
-/** mm, in tenths, as brushes have them; null: nothing was drawn. */
-export function radiusOf(points: readonly Vec2[]): number | null {
+/** mm, in tenths, as brushes have them; null: nothing was drawn. `closed`: it came back to its start. */
+export function radiusOf(points: readonly Vec2[], closed: boolean): number | null {
   const [start, end] = [points[0], points.at(-1)];
   const way = wayOf(points);
   if (!start || !end || !(way > 0)) return null;
   const gap = distance2(start, end);
   const area = Math.abs(areaOf(points));
-  const isCircle = gap < CLOSED * way && area > (ROUND * way * way) / (4 * Math.PI);
+  const isCircle = closed && area > (ROUND * way * way) / (4 * Math.PI);
   const radius = isCircle ? Math.sqrt(area / Math.PI) : gap;
   return Math.min(RADIUS_RANGE.max, Math.max(RADIUS_RANGE.min, Math.round(10 * radius) / 10));
 }
@@ -89,8 +96,11 @@ function areaOf(points: readonly Vec2[]): number {
 }
 
 /** Beside the pen. */
-function tagOf({ at }: Sizing, points: readonly Vec2[], mm: number, { view }: Viewport): readonly Mark[] {
-  const plane = facingPlane(view, at);
+function tagOf(on: Sizing, trace: Trace, { size }: Viewport): readonly Mark[] {
+  const value = drawnRadius(on, trace, size);
+  if (value === null) return [];
+  const plane = facingPlane(trace.view, on.at);
+  const points = pointsOf(on, trace, size);
   const [from, to] = [points[0]!, points.at(-1)!].map((point) => toWorld(plane, point));
-  return [{ kind: 'tag', at: to!, from: from!, value: mm, unit: 'mm' }];
+  return [{ kind: 'tag', at: to!, from: from!, value, unit: 'mm' }];
 }

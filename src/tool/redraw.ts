@@ -3,12 +3,14 @@
  * in, that it was drawn over. What would be drawn over is lit while the pen hovers, and from the first contact on.
  */
 import { apply, type Command } from '../document/command/index.ts';
-import type { Document } from '../document/document.ts';
 import { FRONT_VIEW } from '../document/drawing.ts';
 import { ontoSection } from '../document/sectionLoops.ts';
+import { distance2 } from '../math/tuple.ts';
 import { splice } from '../stroke/splice.ts';
 import type { Mark } from './marks.ts';
-import { type Lit, litAt } from './redrawTarget.ts';
+import { previewed } from './previewed.ts';
+import { type EdgeOn, type Lit, litAt, type NotLit } from './redrawTarget.ts';
+import { tipped } from './sideView.ts';
 import type { Bench, Pen, State } from './tool.ts';
 import { isClosing, strokeOf, type Trace, traced, traceFrom } from './trace.ts';
 
@@ -19,7 +21,17 @@ export interface Redrawing {
   readonly over: 'section' | 'side' | null;
 }
 
-export const redrawing = (local: boolean, lit: Lit | null = null): State => {
+/** Where the pen hovers. */
+interface Over {
+  readonly lit: Lit;
+  readonly pen: Pen;
+}
+
+/** px that the pen may land from where it hovered: what was lit there is what is drawn over */
+const LANDS = 24;
+
+export const redrawing = (local: boolean, over: Over | null = null, isEdgeOn = false): State => {
+  const lit = over?.lit ?? null;
   const state: State = {
     name: lit ? 'redraw.lit' : 'redraw.idle',
     waits: true,
@@ -27,31 +39,48 @@ export const redrawing = (local: boolean, lit: Lit | null = null): State => {
     ...(lit && { marks: marksOf(lit) }),
     hover(pen, bench) {
       const found = pen && litAt(pen, bench, local);
-      const next = typeof found === 'string' ? null : found;
-      return next || lit ? redrawing(local, next) : undefined;
+      if (pen && isLit(found)) return redrawing(local, { lit: found, pen });
+      const edge = isLit(found) || typeof found === 'string' ? null : found;
+      // said once, not at every move
+      if (edge && !isEdgeOn) sayEdgeOn(edge, bench);
+      return lit || (edge !== null) !== isEdgeOn ? redrawing(local, null, edge !== null) : undefined;
     },
-    down: (pen, bench) => begun(pen, bench, local, (on) => redrawing(local, on)),
+    down(pen, bench) {
+      const isThere = over && distance2([pen.x, pen.y], [over.pen.x, over.pen.y]) <= LANDS;
+      const found = isThere ? over.lit : litAt(pen, bench, local);
+      return begun(found, pen, bench, local, (on) => redrawing(local, on && { lit: on, pen }));
+    },
     // Nothing is under way: cancelling it is no deed.
     cancel: () => state,
   };
   return state;
 };
 
+const isLit = (found: Lit | NotLit | null): found is Lit =>
+  found !== null && typeof found === 'object' && found.kind !== 'edge-on';
+
+const sayEdgeOn = ({ plane }: EdgeOn, bench: Bench): void =>
+  bench.notify('section-edge-on', [], tipped(plane, bench.viewport.view));
+
 /** With the other end of a pen: one stroke, and back to the tool in hand. */
 export const redrawOnce = (back: State): State => ({
   name: 'redraw.once',
   still: true,
-  down: (pen, bench) => begun(pen, bench, false, () => back) ?? back,
+  down: (pen, bench) => begun(litAt(pen, bench, false), pen, bench, false, () => back) ?? back,
   cancel: () => back,
 });
 
-function begun(pen: Pen, bench: Bench, local: boolean, back: (lit: Lit | null) => State): State | undefined {
-  const lit = litAt(pen, bench, local);
-  if (typeof lit === 'string') {
-    bench.notify(lit);
-    return undefined;
-  }
-  return drawing({ lit, local, back, trace: traceFrom(pen, bench.viewport.view) });
+function begun(
+  found: Lit | NotLit,
+  pen: Pen,
+  bench: Bench,
+  local: boolean,
+  back: (lit: Lit | null) => State,
+): State | undefined {
+  if (typeof found === 'string') bench.notify(found);
+  else if (found.kind === 'edge-on') sayEdgeOn(found, bench);
+  else return drawing({ lit: found, local, back, trace: traceFrom(pen, bench.viewport.view) });
+  return undefined;
 }
 
 interface Drawn {
@@ -63,17 +92,15 @@ interface Drawn {
 
 function drawing(drawn: Drawn): State {
   const { lit, local, trace } = drawn;
-  let shown: Document | null = null;
   return {
     name: 'redraw.drawing',
     redrawing: { local, over: lit.kind },
     wet: { pens: trace.pens, on: null, closing: isLoop(lit, trace) },
     marks: marksOf(lit),
-    preview(bench) {
-      const command = shown ? null : commandOf(drawn, bench);
-      shown ??= command && apply(bench.document, command);
-      return shown;
-    },
+    preview: previewed((bench) => {
+      const command = commandOf(drawn, bench);
+      return command && apply(bench.document, command);
+    }),
     move: (pens) => drawing({ ...drawn, trace: traced(trace, pens) }),
     up(bench) {
       const command = commandOf(drawn, bench);

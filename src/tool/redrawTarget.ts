@@ -12,11 +12,12 @@ import {
 } from '../document/sectionLoops.ts';
 import { nearestSection } from '../document/surfacePart.ts';
 import { UNMOVED } from '../math/placement.ts';
-import { cross3, distance2, dot3, rotate3 } from '../math/tuple.ts';
+import { cross3, dot3, rotate3 } from '../math/tuple.ts';
 import type { Vec3 } from '../math/vec.ts';
 import { project, toWorld } from '../stroke/plane.ts';
 import type { Plane, Stroke, View } from '../stroke/stroke.ts';
 import { isEdgeOn } from './penStroke.ts';
+import { nearestOn, PIECES, rememberedBy, type SeenPoints } from './seenCurve.ts';
 import type { Bench, Pen } from './tool.ts';
 import type { Hit, Viewport } from './viewport.ts';
 
@@ -24,8 +25,6 @@ import type { Hit, Viewport } from './viewport.ts';
 const REACH = 24;
 /** cosine of the angle (25°) up to which a curve is seen as it was drawn */
 const FACING = 0.906;
-/** pieces of a curve */
-const PIECES = 128;
 
 interface Common {
   readonly whose: Whose;
@@ -42,7 +41,13 @@ export type Lit =
   | (Common & { readonly kind: 'side'; readonly index: number; readonly old: Stroke });
 
 /** Why there is none. */
-export type NotLit = 'redraw-what' | 'section-edge-on';
+export type NotLit = 'redraw-what' | EdgeOn;
+
+/** The section there is seen from its edge. */
+export interface EdgeOn {
+  readonly kind: 'edge-on';
+  readonly plane: Plane;
+}
 
 interface Candidate extends Seen {
   readonly whose: Whose;
@@ -71,8 +76,11 @@ function candidates(document: Document): readonly Candidate[] {
   const kind = readingOf(document);
   if (!draft || !kind || kind === 'solid' || (kind === 'tube' && draft.strokes.length > 1)) return kept;
   const form = formOfDraft(draft);
-  return [{ kind, form, brush, placement: UNMOVED, whose: {}, is: (id) => id.startsWith('draft') }, ...kept];
+  return [{ kind, form, brush, placement: UNMOVED, whose: {}, is: isOfDraft }, ...kept];
 }
+
+/** As `draftSolids` names them; a part of a file may be called anything. */
+const isOfDraft = (id: string): boolean => /^draft-\d+$/.test(id);
 
 const candidateOf = (part: SurfacePart): Candidate => ({
   kind: part.kind,
@@ -122,28 +130,44 @@ function litOn(
 }
 
 /** Curves lie where they were drawn only until the form is bent. */
-function sideOf(of: Candidate, { x, y }: Pen, { view, size }: Viewport): Lit | null {
+function sideOf(of: Candidate, { x, y }: Pen, viewport: Viewport): Lit | null {
+  const { view, size } = viewport;
   const { form, brush, placement, whose } = of;
   if (form.bends.some(({ isOff }) => !isOff)) return null;
   const { plane } = placedStroke(form.strokes[0]!, placement);
   if (facing(plane, view) < FACING) return null;
   let best: { readonly index: number; readonly points: readonly Vec3[]; readonly off: number } | null = null;
-  form.strokes.forEach((stroke, index) => {
-    const curve = curveOfStroke(stroke, brush);
-    if (!curve) return;
-    const points = Array.from({ length: PIECES + 1 }, (_, i) => toWorld(plane, curve.point(i / PIECES)));
-    const off = Math.min(
-      ...points.map((p) => {
-        const at = project(view, size, p);
-        return at ? distance2(at, [x, y]) : Infinity;
-      }),
-    );
-    if (off <= REACH && off < (best?.off ?? Infinity)) best = { index, points, off };
-  });
+  for (const [index, stroke] of form.strokes.entries()) {
+    const curve = seenOf(stroke, [brush, plane, view, size], () => seenCurve(stroke, of, plane, viewport));
+    if (!curve) continue;
+    const off = nearestOn(curve.pixels, [x, y]).distance;
+    if (off <= REACH && off < (best?.off ?? Infinity)) best = { index, points: curve.points, off };
+  }
   if (!best) return null;
-  const { index, points } = best as { readonly index: number; readonly points: readonly Vec3[] };
+  const { index, points } = best;
   const old = form.strokes[index]!;
   return { kind: 'side', whose, index, old, points, closed: old.closed, plane };
+}
+
+interface SeenCurve {
+  /** in the world */
+  readonly points: readonly Vec3[];
+  readonly pixels: SeenPoints;
+}
+
+/** By the stroke, on one plane in one view. */
+const seenOf = rememberedBy<Stroke, SeenCurve | null>();
+
+function seenCurve(
+  stroke: Stroke,
+  { brush }: Candidate,
+  plane: Plane,
+  { view, size }: Viewport,
+): SeenCurve | null {
+  const curve = curveOfStroke(stroke, brush);
+  if (!curve) return null;
+  const points = Array.from({ length: PIECES + 1 }, (_, i) => toWorld(plane, curve.point(i / PIECES)));
+  return { points, pixels: points.map((p) => project(view, size, p)) };
 }
 
 /** Cosine of the angle at which a plane is seen, from either side. */
@@ -169,8 +193,8 @@ function sectionOf(
   if (u === null) return null;
   const loop = sectionLoop(of, local ? u : ownPlace(of, u));
   if (!loop) return null;
-  if (isEdgeOn(loop.plane, view)) return 'section-edge-on';
   const { points, closed, plane } = loop;
+  if (isEdgeOn(plane, view)) return { kind: 'edge-on', plane };
   return { kind: 'section', whose: of.whose, loop, points, closed, plane };
 }
 

@@ -2,10 +2,10 @@
  * Section: near a construction curve the guide of that place shows, and a stroke from one side to the other is the cross section there
  * (thesis 5.4.1). Its ends snap to the curves. A stroke that ends outside the form is none: the guide stays.
  */
-import type { Document } from '../document/document.ts';
 import { acrossOf, type Guide, guideAt, isWithin, turned } from './across.ts';
 import { type Crossing, isPastMiddle, marksOf, plan, previewOf } from './crossing.ts';
 import { guideMarks } from './guideMarks.ts';
+import { previewed } from './previewed.ts';
 import type { Bench, Pen, State } from './tool.ts';
 import { LEAST_LENGTH, traced, traceFrom } from './trace.ts';
 
@@ -57,14 +57,13 @@ function begun(pen: Pen, bench: Bench, shown: Guide | null): State | undefined {
 function drawing(crossing: Crossing, bench: Bench): State {
   const { guide, pens } = crossing;
   const isShown = isPastMiddle(crossing, bench);
-  let preview: Document | null = null;
   return {
     name: crossing.length < LEAST_LENGTH ? 'section.pointing' : 'section.drawing',
     guide: placeOf(guide),
     wet: { pens, on: null, closing: false },
     marks: marksOf(crossing, bench),
     ...(isUnfinished(guide) && !isShown && { faint: true as const }),
-    preview: (now) => (preview ??= previewOf(crossing, now)),
+    preview: previewed((now) => previewOf(crossing, now)),
     move: (more, now) => drawing(traced(crossing, more), now),
     up(now) {
       const commands = plan(crossing, now);

@@ -12,36 +12,63 @@ import type { Viewport } from './viewport.ts';
 
 /** radians: an axis that leans less than this is meant to be upright, or level */
 const LEANS = PI / 6;
-/** the height of the picture in radii of the part, at least and at most */
-const ROOM = { least: 3.2, most: 7 } as const;
+/** part of the picture that is left free at each side, unless controls cover more */
+const AIR = 0.1;
+
+type Looking = Pick<Viewport, 'view' | 'size' | 'room'>;
 
 /** `line`: the centre line, `plane`: on which it was drawn, `box`: around the part; all in the world. */
-export function sideView(
-  line: readonly Vec3[],
-  plane: Plane,
-  box: Box,
-  { view, size }: Pick<Viewport, 'view' | 'size'>,
-): View {
+export function sideView(line: readonly Vec3[], plane: Plane, box: Box, viewport: Looking): View {
+  const { view } = viewport;
   const axis = meanAxis(line, plane);
   const back = sightOf(axis, plane, view.rotation);
   const turn = shortestTurn(rotate3(view.rotation, [0, 0, 1]), back);
   const turned = turnedBy(turn, view.rotation);
   const rotation = turnedBy(about(back, rollOf(axis, turned)), turned);
-  return around(box, rotation, { view, size });
+  return around(box, rotation, viewport);
 }
 
 /** From where a plane was drawn on: x to the right, y up. */
-export const viewOnto = ({ x, y }: Plane, box: Box, viewport: Pick<Viewport, 'view' | 'size'>): View =>
+export const viewOnto = ({ x, y }: Plane, box: Box, viewport: Looking): View =>
   around(box, turnOnto(x, y), viewport);
 
-/** The part in the middle, with room to draw around it. */
-function around({ min, max }: Box, rotation: Quat, { view, size }: Pick<Viewport, 'view' | 'size'>): View {
-  const radius = length3(sub3(max, min)) / 2;
-  const least = (ROOM.least * radius) / Math.min(1, size.width / size.height);
-  const most = (ROOM.most / ROOM.least) * least;
-  const height = radius > 0 ? Math.min(most, Math.max(least, view.height)) : view.height;
-  return { ...view, rotation, height, pivot: scale3(add3(min, max), 0.5) };
+/** The part in the middle of what the controls leave free, as large as it was; smaller only where it would not fit. */
+function around(box: Box, rotation: Quat, viewport: Looking): View {
+  const { view, size } = viewport;
+  const { left, right, top, bottom } = viewport.room?.() ?? {
+    left: AIR,
+    right: AIR,
+    top: AIR,
+    bottom: AIR,
+  };
+  const aspect = size.width / size.height;
+  const middle = scale3(add3(box.min, box.max), 0.5);
+  const [across, up, back] = UNITS.map((unit) => rotate3(rotation, unit)) as [Vec3, Vec3, Vec3];
+  const opening = (view.fov * PI) / 360;
+  const slope = sin(opening) / cos(opening);
+  const needed = cornersOf(box).map((corner) => {
+    const from = sub3(corner, middle);
+    const wide = (2 * Math.abs(dot3(from, across))) / (aspect * (1 - left - right));
+    const high = (2 * Math.abs(dot3(from, up))) / (1 - top - bottom);
+    // in perspective a corner nearer than the middle appears larger
+    return Math.max(wide, high) + 2 * slope * dot3(from, back);
+  });
+  const height = Math.max(view.height, ...needed);
+  const aside = scale3(across, (height * aspect * (right - left)) / 2);
+  const pivot = add3(middle, add3(aside, scale3(up, (height * (top - bottom)) / 2)));
+  return { ...view, rotation, height, pivot };
 }
+
+const UNITS: readonly Vec3[] = [
+  [1, 0, 0],
+  [0, 1, 0],
+  [0, 0, 1],
+];
+
+const cornersOf = ({ min, max }: Box): Vec3[] =>
+  [min[0], max[0]].flatMap((x) =>
+    [min[1], max[1]].flatMap((y) => [min[2], max[2]].map((z): Vec3 => [x, y, z])),
+  );
 
 /** Unit, in the drawing plane: from end to end, or, where that tells nothing, the plane's upright. */
 function meanAxis(line: readonly Vec3[], { x, y }: Plane): Vec3 {
@@ -70,6 +97,21 @@ function rollOf(axis: Vec3, rotation: Quat): number {
   const angle = atan2(dot3(axis, up), dot3(axis, right));
   const off = angle - (PI / 2) * Math.round(angle / (PI / 2));
   return Math.abs(off) < LEANS ? off : 0;
+}
+
+/** radians: far enough that what lay on edge is seen as an ellipse */
+const TIPS = (35 * PI) / 180;
+
+/** Turned a little, so that a plane that is seen from its edge is seen, from above, or from the right. */
+export function tipped(plane: Plane, view: View): View {
+  const [right, up, back] = UNITS.map((unit) => rotate3(view.rotation, unit)) as [Vec3, Vec3, Vec3];
+  const normal = cross3(plane.x, plane.y);
+  const [across, above] = [dot3(normal, right), dot3(normal, up)];
+  const isAbove = Math.abs(above) > 0.3 ? above > 0 : across > 0;
+  const axis = cross3(back, scale3(normal, isAbove ? 1 : -1));
+  const size = length3(axis);
+  if (!(size > 0)) return view;
+  return { ...view, rotation: turnedBy(about(scale3(axis, 1 / size), TIPS), view.rotation) };
 }
 
 const about = (axis: Vec3, angle: number): Quat => {

@@ -53,8 +53,8 @@ export interface Bench {
   focus(ids: readonly string[]): void;
   /** The camera comes to look like this. */
   lookFrom(view: View): void;
-  /** `offer`: what would be done instead, if that is what was meant */
-  notify(notice: Notice, offer?: readonly Command[]): void;
+  /** `offer`: what would be done instead, if that is what was meant; `from`: a view from where it can be done */
+  notify(notice: Notice, offer?: readonly Command[], from?: View): void;
 }
 
 /** The gesture so far, for the wet ink. */

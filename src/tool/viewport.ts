@@ -17,6 +17,13 @@ export interface Hit {
 export interface Viewport {
   readonly size: { readonly width: number; readonly height: number };
   readonly view: View;
+  /** The parts of the picture, 0–1, that controls cover at its sides while a tool has a card; where there are none it is missing. */
+  room?(): {
+    readonly left: number;
+    readonly top: number;
+    readonly right: number;
+    readonly bottom: number;
+  };
   /** What is nearest under the pen; `except` are ids that it looks through. */
   pick(x: number, y: number, except?: readonly string[]): Hit | null;
 }

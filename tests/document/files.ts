@@ -158,7 +158,7 @@ const SURFACES: readonly Command[] = [
   { type: 'setBend', id: 'part-25', index: 1, change: { keepsLength: true } },
   { type: 'moveParts', ids: ['part-25'], by: { rotation: [0, 0.6, 0, 0.8], translation: [0.1, -2, 7] } },
   { type: 'duplicateParts', ids: ['part-25'], offset: [90, 0, 0] },
-  { type: 'setSurface', ids: ['part-26'], change: { between: 'plain', detail: { rows: 9 } } },
+  { type: 'setSurface', ids: ['part-26'], change: { between: 'plain', detail: { rows: 9, finer: -1 } } },
   { type: 'mirrorParts', ids: ['part-26'], about: [5, 0, 0], normal: [0.6, 0.8, 0] },
   { type: 'scaleParts', ids: ['part-25'], factor: 0.7, about: [1, 2, 3] },
   { type: 'recreate', id: 'part-25' },

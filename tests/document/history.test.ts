@@ -41,6 +41,32 @@ describe('commands', () => {
 });
 
 describe('history', () => {
+  it('makes one step of one form after the other, in words of the last; going back to the first makes none', () => {
+    const two = [add(), add(line(10))].reduce(commit, newHistory());
+    const forms = [
+      { type: 'setForm', form: 'tube' },
+      { type: 'setForm', form: 'rotational' },
+    ] as const;
+    const both = forms.reduce(commit, two);
+    expect(undo(both).present).toBe(two.present);
+    expect(undoable(both)).toBe('rotational from the strokes');
+    const back = commit(commit(two, forms[0]), { type: 'setForm', form: null });
+    expect(back.past).toHaveLength(2);
+    expect(back.present).toBe(two.present);
+    expect(undoable(commit(commit(two, forms[0]), { type: 'setForm', carves: true }))).toBe('carving');
+  });
+
+  it('does not melt choices between which something else was done', () => {
+    const two = [add(), add(line(10)), { type: 'setForm', form: 'tube' } as const].reduce(
+      commit,
+      newHistory(),
+    );
+    const later = commit(two, { type: 'setBrush', change: { radius: 9 } });
+    const again = commit(later, { type: 'setForm', form: null });
+    expect(undo(again).present).toBe(later.present);
+    expect(undoable(again)).toBe('rotational from the strokes');
+  });
+
   it('makes no step of a command that changes nothing', () => {
     const start = newHistory();
     for (const command of [

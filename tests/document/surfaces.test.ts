@@ -89,6 +89,21 @@ describe('the number of strokes decides', () => {
     }
   });
 
+  it('tubes take nothing that was drawn across several; a single one keeps its own, and all are as fine as was said', () => {
+    const detail = { ...DEFAULT_DETAIL, columns: 8 };
+    const set: Command = { type: 'setSurface', change: { back: 'front', detail } };
+    const stepped: Command = { type: 'setForm', form: 'tube' };
+    const pair = after([...SIDES, section(0.5), set, stepped]);
+    const kept = after([KEEP], pair);
+    for (const id of ['part-1', 'part-2'])
+      expect(partOf(kept, id)).toMatchObject({ ...PLAIN, kind: 'tube', detail });
+    expect(solids(kept).map(({ mesh }) => mesh)).toEqual(draftSolids(pair).map(({ mesh }) => mesh));
+    const single = after([add(line(0)), section(0.5), set, stepped]);
+    const tube = after([KEEP], single);
+    expect(partOf(tube)).toMatchObject({ kind: 'tube', sections: single.draft!.sections, back: 'front' });
+    expect(meshOf(tube)).toEqual(draftSolids(single)[0]!.mesh);
+  });
+
   it('of parts, too', () => {
     const kept = after([...SIDES, KEEP]);
     const one = after([{ ...section(0.5), part: 'part-1' } as Command], kept);
@@ -109,6 +124,16 @@ describe('sections', () => {
     const document = after([...SIDES, section(0.7), section(0.2), section(0.705, across(3)), KEEP]);
     expect(sectionsOf(document)).toEqual([0.2, 0.705]);
     expect(partOf(document).sections[1]!.front!.stroke).toEqual(across(3));
+  });
+
+  it('take the place of the nearest one alone, and stand apart from the others', () => {
+    const behind = { stroke: across(-3), half: null };
+    const two = [section(0.495), section(0.506, across(4)), back('drawn')];
+    const both = after([...SIDES, ...two, { type: 'addSection', u: 0.506, side: 'back', drawn: behind }]);
+    const { sections } = after([section(0.502, across(8))], both).draft!;
+    expect(sections!.map(({ u }) => u)).toEqual([0.495, 0.506]);
+    expect(sections![0]).toBe(both.draft!.sections![0]);
+    expect(sections![1]).toMatchObject({ front: { stroke: across(8) }, back: behind });
   });
 
   it('keep the back of the one whose place they take', () => {
@@ -196,11 +221,33 @@ describe('redrawing', () => {
     }
   });
 
-  it('is of what is seen: sections that a person stepped back from go', () => {
-    const stepped = [...SIDES, section(0.2), section(0.9), { type: 'setForm', form: 'rotational' } as const];
-    const document = after([...stepped, { type: 'redrawSection', u: 0.4, drawn: bump }]);
-    expect(readingOf(document)).toBe('crossSection');
-    expect(document.draft!.sections).toMatchObject([{ u: 0.4, front: null }]);
+  const PAIR = [...SIDES, section(0.2), section(0.6)] as const;
+  const redraw = { type: 'redrawSection', u: 0.4, drawn: bump } as const;
+
+  it('of one section of several is that one’s; the others wait', () => {
+    const stepped = after([...PAIR, { type: 'setForm', form: 'crossSection' }]);
+    const [first, second] = stepped.draft!.sections!;
+    const sections = [first, { ...second, redraws: [bump] }];
+    // nearer to the first, which is not seen
+    const inHand = after([{ ...redraw, u: 0.25 }], stepped);
+    expect(readingOf(inHand)).toBe('crossSection');
+    expect(inHand.draft!.sections).toEqual(sections);
+    const kept = after([KEEP, { ...redraw, u: 0.25, part: 'part-1' }], stepped);
+    expect(partOf(kept)).toMatchObject({ kind: 'crossSection', sections });
+  });
+
+  it('of a round form that a person stepped back to is one more section, and none is lost', () => {
+    for (const form of ['rotational', 'tube'] as const) {
+      const stepped = after([...PAIR, { type: 'setForm', form }]);
+      const [first, second] = stepped.draft!.sections!;
+      const inHand = after([redraw], stepped);
+      expect(readingOf(inHand)).toBe('bspline');
+      expect(inHand.draft!.back).toBe('front');
+      const round = { u: 0.4, front: null, back: null, redraws: [bump] };
+      expect(inHand.draft!.sections).toEqual([first, round, second]);
+      const there = after([{ ...redraw, u: 0.6 }], stepped);
+      expect(there.draft!.sections).toEqual([first, { ...second, redraws: [bump] }]);
+    }
   });
 
   it('here only: the surface stays as it was at its ends', () => {
@@ -258,6 +305,25 @@ describe('strokes in hand', () => {
     expect(more.brush).toEqual(kept.brush);
     expect(partOf(more)).toMatchObject({ brush: { radius: 9 }, bends: partOf(kept).bends, name: 'Patch 1' });
     expect(parse(serialize({ ...EMPTY_DRAWING, document: more }), 'x').document).toEqual(more);
+  });
+
+  const THERE: readonly Command[] = [
+    MOVE,
+    { type: 'scaleParts', ids: ['part-1'], factor: 1.5, about: [4, 5, 6] },
+    { type: 'mirrorParts', ids: ['part-1'], about: [1, 2, 3], normal: [0.48, 0.6, 0.64] },
+  ];
+  it.each(THERE)('go where their part goes, with what was drawn and the bends: $type', (there) => {
+    const plane = hand.draft!.strokes[0]!.plane;
+    const more = [
+      section(0.9, { ...across(2), plane }),
+      { type: 'setBrush', change: { radius: 9 } },
+    ] as const;
+    const wanted = after([...more, KEEP, there], hand);
+    const found = after([...more, there, KEEP], hand);
+    expectNear(range(meshOf(found)), range(meshOf(wanted)), 1e-4);
+    expect(partOf(found).bends).toEqual(partOf(wanted).bends);
+    expect(after([there, KEEP], hand)).toEqual(after([there], kept));
+    expect(after([there, { type: 'drop' }], hand)).toEqual(after([there], kept));
   });
 
   it('are of the kind the part was, whatever strokes become now', () => {
@@ -366,6 +432,11 @@ describe('what is derived', () => {
     expect(topology(mesh({ sections })).watertight).toBe(false);
   });
 
+  it('is larger by as much as its section is higher', () => {
+    const of = (dip: number) => volume(mesh({ sections: one(across(dip)), back: 'front' }));
+    expect(of(9) / of(6)).toBeCloseTo(1.5, 3);
+  });
+
   it('keeps half chords: a section on its own plane is as large as it was drawn', () => {
     const front = { half: 10, stroke: strokeAlong((t) => [20 * t - 10, 4 * 5 * t * (1 - t)]) };
     const { max } = bounds(mesh({ sections: [{ u: 0.5, front, back: null, redraws: [] }] }));
@@ -390,6 +461,30 @@ describe('what is derived', () => {
     expect(of({ detail }, { u: 60, v: 90 })).toBeGreaterThanOrEqual(60 * 90);
     // no more than there is room for
     expect(quadsOf({ rows: 256, columns: 256, u: 5, v: 5 })).toEqual({ u: 512, v: 512 });
+  });
+
+  it('is finer or coarser by a step from where each surface is, as far as it goes', () => {
+    const detail = (u: number, v: number, ids: readonly string[]): Command => ({
+      type: 'setSurface',
+      ids,
+      change: { detail: { u, v } },
+    });
+    const two = after([...SIDES, KEEP, add(line(40)), KEEP]);
+    const apart = after([detail(1, 4, ['part-1']), detail(5, 0, ['part-2'])], two);
+    const ids = ['part-1', 'part-2'];
+    const by = (finer: number): Command => ({ type: 'setSurface', ids, change: { detail: { finer } } });
+    const found = (document: Document) =>
+      ids.map((id) => [partOf(document, id).detail.u, partOf(document, id).detail.v]);
+    expect(found(after([by(1)], apart))).toEqual([
+      [2, 5],
+      [5, 1],
+    ]);
+    expect(found(after([by(-1)], apart))).toEqual([
+      [0, 3],
+      [4, 0],
+    ]);
+    const finest = after([by(5)], apart);
+    expect(after([by(1)], finest)).toBe(finest);
   });
 
   it('is found again by reference: a part that is moved, named or coloured is not made anew', () => {

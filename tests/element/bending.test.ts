@@ -1,11 +1,94 @@
-/** How the Bend tool is taken up. */
+/** How the Bend tool is taken up, and laid down. */
 import { expect, test } from 'vitest';
+import { isSurface } from '../../src/document/document.ts';
 import { EMPTY_DRAWING } from '../../src/document/drawing.ts';
-import { startBend } from '../../src/element/bending.ts';
+import { dropBend, editBend, keepBend, setBendLength, startBend } from '../../src/element/bending.ts';
 import { Session } from '../../src/element/session.ts';
+import { madeBend } from '../../src/tool/bend.ts';
+import type { Pen } from '../../src/tool/tool.ts';
 import { strokeAlong } from '../document/strokes.ts';
 
 const line = (x: number) => strokeAlong((t) => [x, 60 * t - 30]);
+
+function session(): Session {
+  const session = new Session({ changed() {}, drawn() {}, committed() {}, selected() {}, moded() {} });
+  session.frames.asleep = true;
+  session.size = { width: 800, height: 600 };
+  session.open(EMPTY_DRAWING, { fresh: true });
+  session.commit([{ type: 'addStroke', stroke: line(0) }, { type: 'keep' }]);
+  session.select(['part-1']);
+  return session;
+}
+
+/** By what the tool does, so that the pen need not know where the camera is. */
+function draw(session: Session, to: number): void {
+  const pen = (i: number): Pen => ({
+    x: 400 + ((to - 400) * i * i) / 400,
+    y: 550 - 25 * i,
+    pressure: 0.5,
+    tiltX: 0,
+    tiltY: 0,
+    time: 8 * i,
+    pointer: 'pen',
+  });
+  session.down(pen(0));
+  session.move(Array.from({ length: 20 }, (_, i) => pen(i + 1)));
+  session.up();
+}
+
+const bends = ({ document: { parts } }: Session) => {
+  const [part] = parts;
+  return part && isSurface(part) ? part.bends : [];
+};
+
+test('Drop takes back the bend, whatever number of strokes it took, in one step; undo brings it back', () => {
+  const hand = session();
+  startBend(hand);
+  for (const to of [500, 300, 450]) draw(hand, to);
+  expect(bends(hand)).toHaveLength(1);
+  const bent = hand.document;
+  const steps = hand.history.past.length;
+  dropBend(hand);
+  expect(bends(hand)).toHaveLength(0);
+  expect(hand.history.past).toHaveLength(steps + 1);
+  expect(hand.state.bending).toBeUndefined();
+  hand.undo();
+  expect(hand.document).toBe(bent);
+  expect(hand.state.bending).toBeUndefined();
+});
+
+test('a bend drawn anew is as it was after Drop, also where its length was changed on the way', () => {
+  const hand = session();
+  startBend(hand);
+  draw(hand, 500);
+  keepBend(hand);
+  const [old] = bends(hand);
+  editBend(hand, 'part-1', 0);
+  draw(hand, 300);
+  setBendLength(hand, false);
+  draw(hand, 350);
+  dropBend(hand);
+  expect(bends(hand)).toEqual([old]);
+});
+
+test('undone beneath it, the bend in hand is the next one there, and is kept or dropped as such', () => {
+  const hand = session();
+  for (const to of [500, 300]) {
+    startBend(hand);
+    draw(hand, to);
+    keepBend(hand);
+  }
+  expect(bends(hand)).toHaveLength(2);
+  editBend(hand, 'part-1', 1);
+  hand.undo();
+  hand.undo();
+  expect(bends(hand)).toHaveLength(0);
+  draw(hand, 450);
+  expect(bends(hand)).toHaveLength(1);
+  expect(madeBend(hand.state.bending!, hand.document)).toBe(bends(hand)[0]);
+  dropBend(hand);
+  expect(bends(hand)).toHaveLength(0);
+});
 
 test('strokes in hand go back to their part, and that is bent, whatever was made after it', () => {
   const session = new Session({ changed() {}, drawn() {}, committed() {}, selected() {}, moded() {} });
@@ -17,4 +100,13 @@ test('strokes in hand go back to their part, and that is bent, whatever was made
   expect(session.document.draft).toBeNull();
   expect(session.selection).toEqual(['part-1']);
   expect(session.state.bending?.id).toBe('part-1');
+});
+
+test('where there is nothing to bend words say so, and the pen draws on', () => {
+  const session = new Session({ changed() {}, drawn() {}, committed() {}, selected() {}, moded() {} });
+  session.frames.asleep = true;
+  session.open(EMPTY_DRAWING, { fresh: true });
+  startBend(session);
+  expect(session.tool).toBe('draw');
+  expect(session.said).toContain('draw a form first');
 });

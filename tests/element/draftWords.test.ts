@@ -4,11 +4,12 @@ import { apply, type Command } from '../../src/document/command/index.ts';
 import { type Document, EMPTY_DOCUMENT } from '../../src/document/document.ts';
 import { chipSize, formChoices } from '../../src/element/chip.ts';
 import {
+  awaitedBack,
+  backsToDraw,
   droppedWords,
   fact,
   joinWord,
   keptWords,
-  lacksBack,
   previewWords,
   shortName,
   startedOn,
@@ -116,10 +117,26 @@ describe('a surface with sections', () => {
   });
 
   it('lacks a back of its own until that is drawn', () => {
-    expect(lacksBack(one)).toBe(false);
+    const lacking = ({ draft }: Document) =>
+      backsToDraw({ sections: draft!.sections ?? [], back: draft!.back ?? 'none' });
     const drawn = apply(one, { type: 'setSurface', change: { back: 'drawn' } });
-    expect(lacksBack(drawn)).toBe(true);
-    expect(lacksBack(apply(drawn, { ...add(0.58), side: 'back' } as Command))).toBe(false);
+    expect([one, drawn, apply(drawn, add(0.2))].map(lacking)).toEqual([null, 'at 58 %', 'at 20 % or 58 %']);
+    expect(lacking(apply(drawn, { ...add(0.58), side: 'back' } as Command))).toBeNull();
+  });
+
+  it('awaits a back right after its front, or when there shall be backs, and not for ever', () => {
+    const set: Command = { type: 'setSurface', change: { back: 'drawn' } };
+    const drawn = apply(one, set);
+    const two = apply(drawn, add(0.2));
+    expect(awaitedBack(drawn, [set])).toBe('at 58 %');
+    expect(awaitedBack(two, [add(0.2)])).toBe('at 20 %');
+    for (const other of [
+      { ...add(0.58), side: 'back' },
+      { type: 'removeSection', index: 0 },
+      { type: 'setForm', form: 'rotational' },
+    ] as Command[])
+      expect(awaitedBack(apply(two, other), [other])).toBeNull();
+    expect(awaitedBack(apply(one, add(0.2)), [add(0.2)])).toBeNull();
   });
 
   it('is called by its name while its strokes are in hand', () => {

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { marginsOf } from '../../src/element/margins.ts';
+import { marginsInHand, marginsOf } from '../../src/element/margins.ts';
 import type { Box } from '../../src/mesh/mesh.ts';
 import { AIR, fitted } from '../../src/scene/view.ts';
 import { project } from '../../src/stroke/plane.ts';
@@ -49,5 +49,16 @@ describe('what is fitted', () => {
   it('keeps two fifths of a picture that is too small for all of it', () => {
     const { top, bottom } = marginsOf({ width: 300, height: 120 }, false, false);
     expect(1 - top - bottom).toBeCloseTo(0.4, 12);
+  });
+});
+
+describe('with a card in hand', () => {
+  it('a narrow picture keeps clear of the meter and the card, a wide one needs no more', () => {
+    const margins = marginsOf({ width: 390, height: 800 }, false, false);
+    const held = marginsInHand(margins, { width: 390, height: 800 });
+    expect(held.top * 800).toBeGreaterThanOrEqual(120);
+    expect(held.bottom * 800).toBeGreaterThanOrEqual(250);
+    expect(held.top + held.bottom).toBeLessThan(0.6);
+    expect(marginsInHand(margins, { width: 1280, height: 900 })).toBe(margins);
   });
 });

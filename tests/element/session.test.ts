@@ -1,6 +1,6 @@
 /** What a session does without a picture. */
 
-import { describe, expect, it } from 'vitest';
+import { describe, expect, it, vi } from 'vitest';
 import { DEFAULT_BRUSH, type Document, EMPTY_DOCUMENT } from '../../src/document/document.ts';
 import { EMPTY_DRAWING } from '../../src/document/drawing.ts';
 import { LIMITS } from '../../src/document/limits.ts';
@@ -10,6 +10,7 @@ import { Session } from '../../src/element/session.ts';
 import { TIMINGS } from '../../src/element/timing.ts';
 import { WORDS } from '../../src/element/words.ts';
 import { UNMOVED } from '../../src/math/placement.ts';
+import type { State } from '../../src/tool/tool.ts';
 import { strokeAlong } from '../document/strokes.ts';
 
 const STROKE = strokeAlong((t) => [30 * t, 10 * t], {}, 2);
@@ -153,5 +154,29 @@ describe('a section guide that a finger left', () => {
     expect(session.document.draft!.strokes).toHaveLength(1);
     expect(session.state.guide).toBeUndefined();
     expect(session.state.marks).toBeUndefined();
+  });
+});
+
+describe('what the pen would do', () => {
+  it('is spoken once when it rests, not at every place it passes, and is over when it leaves', () => {
+    vi.useFakeTimers();
+    try {
+      const session = sessionWith(EMPTY_DOCUMENT);
+      const at = (u: number): State => ({ name: 'x', guide: { u, side: 'front' }, cancel: () => at(u) });
+      const spoken: string[] = [];
+      for (const u of [0.1, 0.2, 0.3]) {
+        session.begin(at(u));
+        vi.advanceTimersByTime(100);
+        spoken.push(session.hintAtRest);
+      }
+      expect(spoken).toEqual(['', '', '']);
+      vi.advanceTimersByTime(2000);
+      expect(session.hintAtRest).toBe(session.hint);
+      expect(session.hintAtRest).toContain('30 %');
+      session.begin(session.idle);
+      expect(session.hintAtRest).toBe('');
+    } finally {
+      vi.useRealTimers();
+    }
   });
 });

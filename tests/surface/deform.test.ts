@@ -127,6 +127,21 @@ describe('bends', () => {
     }
   }
 
+  test('kept length is measured from where the pen was put down, from either end', () => {
+    const sheet = ellipses(upright, radius, US, VS);
+    const middle = (u: number, curve: Curve) =>
+      deform(sheet, { curve, plane: SIDE, keepsLength: true }).spine.at(u, 1).centre;
+    // the way is 100 long: what is short of the stroke, or beyond it, is at its far end
+    for (const length of [60, 130]) {
+      const forth = line([4, 10], [4, 10 + length]);
+      expect(middle(0, forth)[1]).toBeCloseTo(10, 9);
+      expect(middle(1, forth)[1]).toBeCloseTo(110, 9);
+      const back = line([4, 90], [4, 90 - length]);
+      expect(middle(1, back)[1]).toBeCloseTo(90, 9);
+      expect(middle(0, back)[1]).toBeCloseTo(-10, 9);
+    }
+  });
+
   const views: readonly [string, Plane][] = [
     ['from the front', FRONT],
     ['askew', tilted(0.9)],

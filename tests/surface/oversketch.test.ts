@@ -223,7 +223,7 @@ describe('oversketch', () => {
         return [r * Math.cos(a), r * Math.sin(a)];
       }, false);
     const all = [bump(2.5, 1.2), bump(0.9, -0.5), bump(-1, -2.6), line([-0.9, 0.7], [0.9, 0.75])];
-    const after = all.reduce(redrawn, ring);
+    const after = all.reduce((before, stroke) => redrawn(before, stroke), ring);
     expect(step(after)).toBeLessThan(0.01);
     expect(derivativeError(after)).toBeLessThan(2e-3);
     expect(nearestTo(after, bump(-1, -2.6).point(0.5))).toBeLessThan(2e-3);
@@ -236,7 +236,7 @@ describe('oversketch', () => {
         fc.array(smoothStroke(1), { minLength: 1, maxLength: 3 }),
         fc.constantFrom(ring, half, box),
         (all, outline) => {
-          const after = all.reduce(redrawn, outline);
+          const after = all.reduce((before, stroke) => redrawn(before, stroke), outline);
           for (const v of VS) {
             expect(
               [...after.point(v), ...after.derivative(v, 1), ...after.derivative(v, -1)].every(
@@ -260,3 +260,18 @@ describe('oversketch', () => {
 function arcRound(): Curve {
   return functionCurve((t) => ring.point(t), true);
 }
+
+test('a dent to the middle of a closed outline goes to the part that was seen, whichever way it was drawn', () => {
+  const chord = (y: number) => [line([-0.99, y], [0.99, y]), line([0.99, y], [-0.99, y])];
+  for (const dent of [-0.05, 0, 0.05].flatMap(chord))
+    for (const side of [-1, 1] as const) {
+      const made = redrawn(ring, dent, [0, side * 0.6]);
+      const heights = Array.from({ length: 64 }, (_, i) => side * made.point(i / 64)[1]);
+      // the seen half is flat now, the other one as it was
+      expect(Math.max(...heights)).toBeLessThan(0.2);
+      expect(Math.min(...heights)).toBeCloseTo(-1, 2);
+    }
+  // what is drawn over the hidden half is meant for that
+  const hidden = redrawn(ring, line([-0.9, -0.5], [0.9, -0.5]), [0, 1]);
+  expect(Math.max(...Array.from({ length: 64 }, (_, i) => hidden.point(i / 64)[1]))).toBeCloseTo(1, 2);
+});

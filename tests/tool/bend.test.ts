@@ -1,8 +1,10 @@
 import { describe, expect, test } from 'vitest';
+import { solids } from '../../src/document/build.ts';
 import { isSurface } from '../../src/document/document.ts';
+import { boxOfMesh } from '../../src/document/extent.ts';
 import { cross3, dot3, rotate3 } from '../../src/math/tuple.ts';
 import type { Vec3 } from '../../src/math/vec.ts';
-import { toWorld } from '../../src/stroke/plane.ts';
+import { project, toWorld } from '../../src/stroke/plane.ts';
 import { bendPart, choosing, madeBend } from '../../src/tool/bend.ts';
 import { halfCircle } from '../document/strokes.ts';
 import { Driver } from './driver.ts';
@@ -157,4 +159,20 @@ test('of a part that is gone brings the camera back, too', () => {
   hand.down(400, 300);
   expect(hand.state).toBe(choosing);
   expect(hand.view).toEqual(home);
+});
+
+describe('how large it is seen', () => {
+  const seen = (hand: Driver) => boxOfMesh(solids(hand.document)[0]!.mesh);
+  test('as before; smaller only where it would not fit, and then it does', () => {
+    for (const height of [500, 200, 90, 20]) {
+      const hand = ball();
+      hand.view = { ...hand.view, height };
+      hand.state = bendPart(hand, 'part-1', 0);
+      const { min, max } = seen(hand);
+      const needed = (max[1] - min[1]) / 0.8;
+      expect(hand.view.height).toBeCloseTo(Math.max(height, needed), 6);
+      const ends = [min, max].map((p) => project(hand.view, hand.size, p)![1]);
+      for (const y of ends) expect(Math.abs(y - 300)).toBeLessThanOrEqual(0.4 * 600 + 1e-6);
+    }
+  });
 });

@@ -15,6 +15,8 @@ export class Driver implements Bench {
   readonly notices: Notice[] = [];
   /** what was offered with the last one */
   offer: readonly Command[] = [];
+  /** from where it can be done */
+  from: View | null = null;
   hit: Hit | null = null;
   /** in place of `hit`: what lies under a place of the picture */
   surface: Viewport['pick'] | null = null;
@@ -50,9 +52,10 @@ export class Driver implements Bench {
     this.selection = ids;
   }
 
-  notify(notice: Notice, offer: readonly Command[] = []): void {
+  notify(notice: Notice, offer: readonly Command[] = [], from: View | null = null): void {
     this.notices.push(notice);
     this.offer = offer;
+    this.from = from;
   }
 
   undo(): void {

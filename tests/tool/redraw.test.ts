@@ -5,6 +5,7 @@ import { length3, rotate3 } from '../../src/math/tuple.ts';
 import { project, toWorld } from '../../src/stroke/plane.ts';
 import { redrawing, redrawOnce } from '../../src/tool/redraw.ts';
 import { selecting } from '../../src/tool/select.ts';
+import { strokeAlong } from '../document/strokes.ts';
 import type { Driver } from './driver.ts';
 import { balls, exactBall, RADIUS } from './scene.ts';
 
@@ -52,6 +53,28 @@ describe('what is lit', () => {
     expect(points.length).toBeGreaterThan(8);
   });
 
+  test('of a part, whatever a file calls it, though there is an unfinished form', () => {
+    const driver = hand(ABOVE);
+    const id = 'draftsman';
+    const parts = driver.document.parts.map((part, i) => (i === 0 ? { ...part, id } : part));
+    driver.commit([
+      { type: 'load', document: { ...driver.document, parts }, name: '' },
+      { type: 'addStroke', stroke: strokeAlong((t) => [90, 40 * t - 20]) },
+    ]);
+    const ball = exactBall(driver);
+    driver.surface = (x, y) => {
+      const hit = ball(x, y);
+      return hit && { ...hit, id };
+    };
+    driver.draw([
+      [370, 338],
+      [400, 372],
+      [430, 338],
+    ]);
+    expect(driver.document.draft?.sections).toBeUndefined();
+    expect(partOf(driver)).toMatchObject({ id, kind: 'crossSection' });
+  });
+
   test('not one that is seen from its edge: words say why', () => {
     const driver = hand();
     driver.draw([
@@ -59,6 +82,26 @@ describe('what is lit', () => {
       [420, 320],
     ]);
     expect(driver.notices.at(-1)).toBe('section-edge-on');
+  });
+
+  test('which is said once when the pen hovers there, with a view from where it is seen', () => {
+    const driver = hand();
+    for (const x of [390, 395, 400]) hover(driver, x, 320);
+    expect(driver.notices).toEqual(['section-edge-on']);
+    driver.view = driver.from!;
+    hover(driver, 400, 320);
+    expect(driver.state.redrawing?.over).toBe('section');
+    // from above
+    expect(rotate3(driver.view.rotation, [0, 0, 1])[1]).toBeGreaterThan(0.5);
+  });
+
+  test('at hover is what is drawn over, wherever about the pen lands', () => {
+    const driver = hand(ABOVE);
+    hover(driver, 400, 320);
+    const before = lit(driver);
+    const pen = { pressure: 0.5, tiltX: 0, tiltY: 0, time: 0, pointer: 'pen' } as const;
+    driver.state = driver.state.down!({ ...pen, x: 404, y: 329 }, driver)!;
+    expect(lit(driver)).toEqual(before);
   });
 });
 

@@ -218,8 +218,8 @@ describe('a back that is drawn', () => {
     hand.draw(ACROSS);
   });
 
-  it('is the next stroke, at the section that has none yet, wherever it begins', () => {
-    hand.hover(300, 400);
+  it('is the next stroke near the section that has none yet, at its very place', () => {
+    hand.hover(300, 230);
     expect(hand.state.guide).toEqual({ u: sections()[0]!.u, side: 'back' });
     expect(marksOf('label').map(({ word }) => word)).toEqual(['back']);
     hand.draw(ACROSS.map(([x]) => [x, 190] as const));
@@ -227,6 +227,20 @@ describe('a back that is drawn', () => {
     expect(sections()[0]!.back).not.toBeNull();
     hand.undo();
     expect(sections()[0]!.back).toBeNull();
+  });
+
+  it('is not what is drawn elsewhere: that is a section of its own, as its guide says', () => {
+    hand.hover(300, 400);
+    expect(hand.state.guide).toMatchObject({ side: 'front' });
+    expect(hand.state.guide!.u).toBeGreaterThan(sections()[0]!.u + 0.3);
+    hand.draw(ACROSS.map(([x, y]) => [x, y + 200] as const));
+    expect(sections().map(({ front, back }) => [front !== null, back !== null])).toEqual([
+      [true, false],
+      [true, false],
+    ]);
+    // either is still there to be given one
+    hand.draw(ACROSS.map(([x]) => [x, 190] as const));
+    expect(sections().map(({ back }) => back !== null)).toEqual([true, false]);
   });
 
   it('is followed by further sections', () => {

@@ -1,10 +1,10 @@
 import type { Document } from '../document.ts';
 import {
-  isSamePlace,
   nearestSection,
   type Section,
   type SectionStroke,
   type SurfaceForm,
+  sectionThere,
   withSection,
 } from '../surfacePart.ts';
 import { changeForm, type Whose } from './changeForm.ts';
@@ -28,7 +28,7 @@ export const addSection: CommandKind<'addSection', Data> = {
 };
 
 function withFront(form: SurfaceForm, u: number, front: SectionStroke): SurfaceForm {
-  const old = form.sections.find((section) => isSamePlace(section.u, u));
+  const old = sectionThere(form.sections, u);
   const section: Section = { u, front, back: old?.back ?? null, redraws: [] };
   return { ...form, sections: withSection(form.sections, section) };
 }

@@ -29,19 +29,31 @@ export interface Whose {
 /** What becomes of a form that is read as `kind`; null, or the same form: nothing. */
 export type Change = (form: SurfaceForm, kind: Reading) => SurfaceForm | null;
 
+/** Whether it does, of each form by itself. */
+export type GoesOn = boolean | ((form: SurfaceForm, kind: Reading) => boolean);
+
+const isGoingOn = (goes: GoesOn, form: SurfaceForm, kind: Reading): boolean =>
+  typeof goes === 'function' ? goes(form, kind) : goes;
+
 /**
- * With other strokes: what it is follows from their number. What no file could hold is not done. `goesOn`: whoever stepped back to what fewer
+ * With other strokes: what it is follows from their number. What no file could hold is not done. `goes`: whoever stepped back to what fewer
  * strokes make goes on from there; else that stays.
  */
-export function changeForm(document: Document, { part }: Whose, change: Change, goesOn = false): Document {
+export function changeForm(
+  document: Document,
+  { part }: Whose,
+  change: Change,
+  goes: GoesOn = false,
+): Document {
   if (part !== undefined)
     return changeParts(document, [part], (found) =>
-      isSurface(found) ? changedPart(found, change, goesOn) : found,
+      isSurface(found) ? changedPart(found, change, goes) : found,
     );
   const { draft } = document;
   const kind = readingOf(document);
   if (!draft || !kind) return document;
   const form = formOfDraft(draft);
+  const goesOn = isGoingOn(goes, form, kind);
   const next = change(form, kind);
   if (!next || next === form || !fits(next)) return document;
   // of solids only the strokes can change
@@ -51,11 +63,11 @@ export function changeForm(document: Document, { part }: Whose, change: Change, 
   return { ...document, tubesOnly, draft: draftWith(draft, next, goesOn) };
 }
 
-function changedPart(part: SurfacePart, change: Change, goesOn: boolean): SurfacePart {
+function changedPart(part: SurfacePart, change: Change, goes: GoesOn): SurfacePart {
   const next = change(part, part.kind);
   if (!next || next === part || !fits(next)) return part;
   const { strokes, sections, back, between, bends, detail } = next;
-  const kind = steppedBack(next, goesOn ? undefined : part.kind);
+  const kind = steppedBack(next, isGoingOn(goes, part, part.kind) ? undefined : part.kind);
   if (!isCounted(next, kind)) return part;
   return { ...part, kind, strokes, sections, back, between, bends, detail };
 }

@@ -8,6 +8,7 @@ import {
   readingOf,
   type SolidPart,
   type SurfacePart,
+  tubesOf,
 } from '../document.ts';
 import { draftPart, joinedOf } from '../draftPart.ts';
 import { isFormInReach } from '../inReach.ts';
@@ -85,7 +86,7 @@ function givenBack(part: SurfacePart, drawn: SurfacePart, { brush }: Document): 
 }
 
 /** Planes that the part has already are those, to the bit: what was not changed comes back as it was. */
-function homeOf(part: SurfacePart): (stroke: Stroke) => Stroke {
+export function homeOf(part: SurfacePart): (stroke: Stroke) => Stroke {
   const own = strokesOfForm(part).map((stroke) => ({
     before: stroke.plane,
     after: placedStroke(stroke, part.placement).plane,
@@ -103,13 +104,12 @@ function keptParts(document: Document, first: number): SurfacePart[] {
   const { draft } = document;
   if (!draft || kind === null || kind === 'solid') return [];
   const whole = formOfDraft(draft);
-  const forms = kind === 'tube' ? draft.strokes.map((stroke) => [stroke]) : [draft.strokes];
-  return forms.map((strokes, i) => ({
+  const forms = kind === 'tube' ? tubesOf(whole) : [whole];
+  return forms.map((form, i) => ({
     id: `part-${first + i}`,
     name: `${WORD[kind]} ${first + i}`,
     kind,
-    ...(i === 0 ? whole : PLAIN),
-    strokes,
+    ...form,
     brush: document.brush,
     placement: UNMOVED,
     hidden: false,

@@ -9,6 +9,7 @@ import { isFormInReach, isGroupInReach } from '../inReach.ts';
 import { type Group, groupsOf, withGroups } from '../solid.ts';
 import { type Section, type SectionStroke, withStrokes } from '../surfacePart.ts';
 import { changeParts, nameOf } from './changeParts.ts';
+import { withHand } from './hand.ts';
 import type { CommandKind } from './index.ts';
 
 export interface Mirror {
@@ -25,14 +26,16 @@ export interface Data extends Mirror {
 export const mirrorParts: CommandKind<'mirrorParts', Data> = {
   type: 'mirrorParts',
   apply: (document, { ids, about, normal }) =>
-    changeParts(
-      document,
-      ids,
-      (part) => mirrored(part, within({ about, normal }, part.placement)),
-      (group, of) => {
-        const next = mirroredGroup(group, within({ about, normal }, of.placement));
-        return isGroupInReach(next) ? next : group;
-      },
+    withHand(document, ids, (on, chosen) =>
+      changeParts(
+        on,
+        chosen,
+        (part) => mirrored(part, within({ about, normal }, part.placement)),
+        (group, of) => {
+          const next = mirroredGroup(group, within({ about, normal }, of.placement));
+          return isGroupInReach(next) ? next : group;
+        },
+      ),
     ),
   describe: (document, { ids }) => `${nameOf(document, ids)} mirrored`,
 };

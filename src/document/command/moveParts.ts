@@ -4,6 +4,7 @@ import type { Part } from '../document.ts';
 import { placedStroke } from '../placedStroke.ts';
 import type { Group } from '../solid.ts';
 import { changeParts, nameOf } from './changeParts.ts';
+import { withHand } from './hand.ts';
 import type { CommandKind } from './index.ts';
 
 export interface Data {
@@ -21,7 +22,9 @@ export const moveParts: CommandKind<'moveParts', Data> = {
       const placement = compose(by, part.placement);
       return isInReach(placement.translation) ? { ...part, placement } : part;
     };
-    return changeParts(document, ids, placed, (group, of) => moved(group, of, by));
+    return withHand(document, ids, (on, chosen) =>
+      changeParts(on, chosen, placed, (group, of) => moved(group, of, by)),
+    );
   },
   describe: (document, { ids }) => `${nameOf(document, ids)} moved`,
 };

@@ -23,8 +23,10 @@ export interface Data extends Whose {
 
 /**
  * Cross-sectional oversketch (thesis 6.2): the stroke takes the place of the part of a section that it was drawn over. Surfaces with one
- * section follow all along; round ones and tubes become surfaces of that section. Sections that a person stepped back from go: what is
- * redrawn is what is seen.
+ * section follow all along; round ones and tubes become surfaces of that section. Who stepped back loses no section. Back to one section of
+ * several: that one is redrawn, the others wait, and the form stays stepped back. Back to a round form or a tube: what is redrawn is a
+ * round section among the others (on one that is there already, that one), and the form is what all of them make, as it is when a section
+ * is added; so it is, too, where a redraw is to fade, which takes several sections.
  */
 export const redrawSection: CommandKind<'redrawSection', Data> = {
   type: 'redrawSection',
@@ -33,24 +35,33 @@ export const redrawSection: CommandKind<'redrawSection', Data> = {
       document,
       whose,
       (form, kind) => {
-        const seen = seenIn(form, kind, u);
-        const sections = local ? withLocal(seen.sections, u) : seen.sections;
-        const at = nearestSection(sections, u);
+        const stays = !local && isOneOfSeveral(form, kind);
+        const whole = stays ? form : roundIn(form, kind, u);
+        const sections = local ? withLocal(whole.sections, u) : whole.sections;
+        const at = stays
+          ? sections.indexOf(sectionsInForce(SECTION, sections)[0]!)
+          : nearestSection(sections, u);
         const redrawn = sections.map((section, i) =>
           i === at ? { ...section, redraws: [...section.redraws, drawn] } : section,
         );
-        return { ...seen, sections: redrawn };
+        return { ...whole, sections: redrawn };
       },
-      true,
+      (form, kind) => local || !isOneOfSeveral(form, kind),
     ),
   describe: (_document, { u }) => `section at ${Math.round(100 * u)} % redrawn`,
 };
 
+const SECTION = 'crossSection';
+
+const isOneOfSeveral = ({ sections }: SurfaceForm, kind: Reading): boolean =>
+  kind === SECTION && sections.length > 1;
+
 /** Tubes and round forms have a section that is closed all round. */
-function seenIn(form: SurfaceForm, kind: Reading, u: number): SurfaceForm {
-  const sections = kind === 'solid' ? [] : sectionsInForce(kind, form.sections);
-  if (sections.length === 0) return { ...form, sections: [{ ...ROUND, u }], back: 'front' };
-  return { ...form, sections };
+function roundIn(form: SurfaceForm, kind: Reading, u: number): SurfaceForm {
+  if (kind !== 'solid' && sectionsInForce(kind, form.sections).length > 0) return form;
+  const back = form.sections.length > 0 && form.back !== 'none' ? form.back : 'front';
+  const sections = isThere(form.sections, u) ? form.sections : withSection(form.sections, { ...ROUND, u });
+  return { ...form, sections, back };
 }
 
 /** With one at u that is as the surface is there; the only one there was goes to both ends. */

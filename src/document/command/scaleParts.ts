@@ -8,6 +8,7 @@ import { RADII } from '../radii.ts';
 import { type Group, groupsOf, withGroups } from '../solid.ts';
 import { withStrokes } from '../surfacePart.ts';
 import { changeParts, nameOf } from './changeParts.ts';
+import { withHand } from './hand.ts';
 import type { CommandKind } from './index.ts';
 import { mapped } from './mirrorParts.ts';
 
@@ -24,14 +25,13 @@ export const scaleParts: CommandKind<'scaleParts', Data> = {
   type: 'scaleParts',
   apply(document, { ids, factor, about }) {
     if (factor === 1) return document;
-    return changeParts(
-      document,
-      ids,
-      (part) => scaled(part, factor, about),
-      (group, of) => {
-        const next = scaledGroup(group, factor, place3(unplaced(of.placement), about));
-        return next ?? group;
-      },
+    return withHand(document, ids, (on, chosen) =>
+      changeParts(
+        on,
+        chosen,
+        (part) => scaled(part, factor, about),
+        (group, of) => scaledGroup(group, factor, place3(unplaced(of.placement), about)) ?? group,
+      ),
     );
   },
   describe: (document, { ids, factor }) => `${nameOf(document, ids)} ${factor > 1 ? 'larger' : 'smaller'}`,

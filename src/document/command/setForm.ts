@@ -1,4 +1,4 @@
-import { type Document, type Draft, type Joins, readingOf } from '../document.ts';
+import { type Document, type Draft, type Joins, readingOf, staysTubes } from '../document.ts';
 import { isForm, mostStrokes } from '../solid.ts';
 import { WORD } from '../words.ts';
 import type { CommandKind } from './index.ts';
@@ -11,7 +11,7 @@ export interface Data {
   readonly carves?: boolean;
 }
 
-/** What the unfinished form is to become. What is left out stays. */
+/** What the unfinished form is to become. What is left out stays. Where every stroke is a tube, another form ends that: nothing would be seen of it. */
 export const setForm: CommandKind<'setForm', Data> = {
   type: 'setForm',
   apply(document, change) {
@@ -27,15 +27,19 @@ export const setForm: CommandKind<'setForm', Data> = {
       ...(joins && { joins }),
       ...(carves && { carves: true as const }),
     };
+    const names = change.form !== undefined && change.form !== 'tube';
+    const tubesOnly = document.tubesOnly && !(names && staysTubes(document));
     // nor has a surface
-    const reading = readingOf({ ...document, draft: next });
+    const reading = readingOf({ ...document, tubesOnly, draft: next });
     if (reading !== 'solid' && reading !== 'tube' && draft.strokes.length > 2) return document;
-    return JSON.stringify(said(next)) === JSON.stringify(said(draft))
-      ? document
-      : { ...document, draft: next };
+    const isSame = JSON.stringify(said(next)) === JSON.stringify(said(draft));
+    return isSame && tubesOnly === document.tubesOnly ? document : { ...document, tubesOnly, draft: next };
   },
-  describe: (_document: Document, { form, joins, carves }) => {
-    if (form) return `${WORD[form].toLowerCase()} from the strokes`;
+  describe: (document: Document, change) => {
+    const { form, joins, carves } = change;
+    // the number of strokes decides, and what it decides has a name
+    const made = form === null ? readingOf(setForm.apply(document, change)) : form;
+    if (made) return `${WORD[made].toLowerCase()} from the strokes`;
     if (joins !== undefined) return joins ? 'joined' : 'a part of its own';
     return carves ? 'carving' : 'form of the strokes';
   },

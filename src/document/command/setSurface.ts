@@ -1,4 +1,5 @@
 import type { Document } from '../document.ts';
+import { RANGES } from '../limits.ts';
 import type { Back, Between, Detail, SurfaceForm } from '../surfacePart.ts';
 import { changeForm } from './changeForm.ts';
 import { nameOf } from './changeParts.ts';
@@ -8,7 +9,12 @@ import { isInHand } from './recreate.ts';
 export interface Change {
   readonly back?: Back;
   readonly between?: Between;
-  readonly detail?: Partial<Detail>;
+  readonly detail?: DetailChange;
+}
+
+export interface DetailChange extends Partial<Detail> {
+  /** subdivisions more (or, below 0, fewer) both ways than each surface has, as far as there are such */
+  readonly finer?: number;
 }
 
 export interface Data {
@@ -40,10 +46,17 @@ function changed(
   form: SurfaceForm,
   { back = form.back, between = form.between, detail }: Change,
 ): SurfaceForm {
-  const next = detail ? { ...form.detail, ...detail } : form.detail;
+  const next = detail ? detailWith(form.detail, detail) : form.detail;
   const isSame =
     back === form.back &&
     between === form.between &&
     (Object.keys(next) as (keyof Detail)[]).every((key) => next[key] === form.detail[key]);
   return isSame ? form : { ...form, back, between, detail: next };
+}
+
+function detailWith(before: Detail, { finer = 0, ...set }: DetailChange): Detail {
+  const { min, max } = RANGES.subdivisions;
+  const next = { ...before, ...set };
+  const within = (times: number) => Math.min(max, Math.max(min, times + finer));
+  return { ...next, u: within(next.u), v: within(next.v) };
 }
