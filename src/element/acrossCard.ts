@@ -32,9 +32,8 @@ export function acrossCard(session: Session, actions: Actions): TemplateResult |
   };
   return html`<section class="across card chrome" part="panel" aria-label=${SECTION_WORDS.title}>
     <header>${icon('section')}<h2>${SECTION_WORDS.title}</h2>${iconButton('x', 'Close', close)}</header>
-import { type Actions, iconButton } from './controls.ts';
-import { backsToDraw } from './draftWords.ts';
-import { type SegmentChoice, segment } from './editSegment.ts';
+    <p>${words(found)}</p>
+    ${across ? html`${looks(session)}<div class="foot"><h3>${SECTION_WORDS.back}</h3>${backs(session, across)}</div>` : nothing}
   </section>`;
 }
 
