@@ -13,7 +13,7 @@ import { outsideIn, rigid } from './caps.ts';
 import { columnsOf, type OutlineColumns } from './columns.ts';
 import { facing } from './facing.ts';
 import { lidOf, lidRows } from './lid.ts';
-import { type Outline, restricted } from './outline.ts';
+import { isBackless, type Outline, restricted } from './outline.ts';
 import { quadCount } from './rows.ts';
 import type { Sheet, SheetRow } from './sheet.ts';
 import { type SourceInput, type StandRow, sourceOf, standLobes } from './source.ts';
@@ -31,9 +31,6 @@ export interface SectionOptions {
   readonly v: number;
 }
 
-/** of a closed outline, square half chords */
-export const NO_AREA = 1e-6;
-
 /** Null when it has no extent: strokes on each other or without length. Throws RangeError as sourceOf does, and for u, v that are no numbers. */
 export function crossSectionSheet(
   input: SectionSource,
@@ -42,7 +39,7 @@ export function crossSectionSheet(
 ): Sheet | null {
   const u = quadCount('u', options.u, 1);
   const columns = columnsOf(outline, quadCount('v', options.v, outline.closed ? 3 : 1));
-  if (outline.closed && Math.abs(turns(columns.points)) < NO_AREA) {
+  if (isBackless(outline)) {
     // a back on its front leaves the front alone
     return crossSectionSheet(input, restricted(outline, 0, 0.5), options);
   }
@@ -103,7 +100,7 @@ function endNormal({ axis: [x, y] }: Stand, points: readonly Vec2[], out: 1 | -1
 }
 
 /** Twice the area of the outline, positive when counter-clockwise. */
-export function turns(points: readonly Vec2[]): number {
+function turns(points: readonly Vec2[]): number {
   return points.reduce((sum, p, j) => sum + cross2(points[j - 1] ?? p, p), 0);
 }
 

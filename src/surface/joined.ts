@@ -18,8 +18,9 @@ const LOOKS = 256;
 /** v nearer to a crossing than this are on it */
 const AT = 1e-6;
 
-/** Closed. `back` runs from q_l to q_r too. Corners at the ends only where the two meet at an angle. */
-export function joined(front: Outline, back: Outline | 'mirror'): Outline {
+/** Closed. A back that is drawn runs from q_l to q_r too. Corners at the ends only where the two meet at an angle. */
+export function joined(front: Outline, drawn: Outline | 'mirror'): Outline {
+  const back = drawn !== 'mirror' && isMirrored(front, drawn) ? 'mirror' : drawn;
   const over = back === 'mirror' ? raised(front) : front;
   const under = back === 'mirror' ? mirrored(over) : back;
   const seam = (end: 0 | 1): Vec2 | null => {
@@ -50,6 +51,17 @@ export function joined(front: Outline, back: Outline | 'mirror'): Outline {
         : scale2(under.derivative(w === 0 ? 0 : 2 * (1 - w), side === 1 ? -1 : 1), -2);
     },
   };
+}
+
+/** A back is the mirror image of a front that crosses the chord: as they are they go round an eight, which has no inside. */
+function isMirrored(front: Outline, back: Outline): boolean {
+  const vs = Array.from({ length: LOOKS }, (_, i) => i / LOOKS);
+  const heights = vs.map((v) => front.point(v)[1]);
+  if (!(Math.max(...heights) > PLATE && Math.min(...heights) < -PLATE)) return false;
+  return vs.every((v) => {
+    const [[x, y], [bx, by]] = [front.point(v), back.point(v)];
+    return Math.abs(x - bx) < PLATE && Math.abs(y + by) < PLATE;
+  });
 }
 
 /** The circle of rotational surfaces. */

@@ -4,15 +4,17 @@ import type { Vec2 } from '../math/vec.ts';
 import { type Along, alike } from './alike.ts';
 import { type Between, mixOf } from './between.ts';
 import type { Outline } from './outline.ts';
-import { formsOf, type PlacedOutline } from './weave.ts';
+import { formsOf, inOrder, type PlacedOutline } from './weave.ts';
 
-/** At least one section, all open or all closed, u ascending; `isRound`: the surface runs round, u = 1 is u = 0. */
+/** At least one section, all open or all closed; `isRound`: the surface runs round, u = 1 is u = 0. */
 export function mixedOutline(
-  sections: readonly PlacedOutline[],
-  u: number,
+  placed: readonly PlacedOutline[],
+  at: number,
   between: Between,
   isRound: boolean,
 ): Outline {
+  const sections = inOrder(placed, isRound);
+  const u = isRound && at >= 1 ? 0 : at;
   const made = alike(sections.map(({ outline }) => outline));
   const us = sections.map((section) => section.u);
   const shares = mixOf(us, formsOf(made, us.length), between, isRound)(u, 1);

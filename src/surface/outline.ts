@@ -108,3 +108,13 @@ export function restricted(outline: Outline, from: number, to: number): Outline 
     derivative: (v, side) => scale2(outline.derivative(from + v * span, side), span),
   };
 }
+
+/** half chords: a back nearer to its front lies on it */
+const NO_GAP = 1e-4;
+
+/** A closed outline whose back lies on its front, point by point: an eight has no area either, yet encloses something. */
+export const isBackless = ({ closed, point }: Outline): boolean =>
+  closed &&
+  Array.from({ length: LOOKS }, (_, i) => i / LOOKS / 2).every(
+    (v) => distance2(point(v), point(1 - v)) < NO_GAP,
+  );

@@ -16,13 +16,11 @@ import {
   domeRows,
   flatRows,
   flipped,
-  NO_AREA,
   type SectionSource,
-  turns,
 } from './crossSection.ts';
 import { columnsOf, entriesOf } from './entries.ts';
 import { facing } from './facing.ts';
-import { restricted } from './outline.ts';
+import { isBackless, restricted } from './outline.ts';
 import { isTip, type PieceRows, pieceRows } from './patchRows.ts';
 import { quadCount } from './rows.ts';
 import type { Sheet, SheetRow } from './sheet.ts';
@@ -87,10 +85,7 @@ export function patchWeave(
 
 /** Backs that lie on their fronts, on all sections, leave the fronts alone. */
 function substantial(sections: readonly PlacedOutline[]): readonly PlacedOutline[] {
-  const isEmpty = sections.every(({ outline }) => {
-    const points = Array.from({ length: 64 }, (_, i) => outline.point(i / 64));
-    return outline.closed && Math.abs(turns(points)) < NO_AREA;
-  });
+  const isEmpty = sections.every(({ outline }) => isBackless(outline));
   return isEmpty ? sections.map(({ u, outline }) => ({ u, outline: restricted(outline, 0, 0.5) })) : sections;
 }
 

@@ -43,13 +43,7 @@ export function weaveOf(
   between: Between,
   { rows, columns }: WeaveSpans,
 ): Weave {
-  // of a ring the end is the beginning
-  const placed = sections.map((section) =>
-    source.closed && section.u >= 1 ? { ...section, u: 0 } : section,
-  );
-  const kept = placed
-    .filter(({ u }, i) => !placed.some((other, j) => j > i && other.u === u))
-    .sort((a, b) => a.u - b.u);
+  const kept = inOrder(sections, source.closed);
   const us = kept.map(({ u }) => u);
   const made = alike(kept.map(({ outline }) => outline));
   return {
@@ -59,6 +53,14 @@ export function weaveOf(
     along: alongOf(source, us, rows),
     across: acrossOf(made, columns),
   };
+}
+
+/** By u, of those in one place the last given; of a ring the end is the beginning. */
+export function inOrder(sections: readonly PlacedOutline[], isRound: boolean): readonly PlacedOutline[] {
+  const placed = sections.map((section) => (isRound && section.u >= 1 ? { ...section, u: 0 } : section));
+  return placed
+    .filter(({ u }, i) => !placed.some((other, j) => j > i && other.u === u))
+    .sort((a, b) => a.u - b.u);
 }
 
 /** Points of every outline at the same v. */

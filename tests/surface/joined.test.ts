@@ -1,7 +1,9 @@
 import { describe, expect, test } from 'vitest';
 import { cross2, length2, sub2 } from '../../src/math/tuple.ts';
+import { crossSectionSheet } from '../../src/surface/crossSection.ts';
 import { joined, round } from '../../src/surface/joined.ts';
 import { type Outline, roundHalf, straight } from '../../src/surface/outline.ts';
+import { line } from './curves.ts';
 import { bent, comb, mushroom, raisedBy, roof, wave } from './outlines.ts';
 
 /** by 4,000 chords, positive when clockwise: front first */
@@ -78,4 +80,17 @@ describe('a mirrored front', () => {
     expect(areaOf(plate)).toBeLessThan(1e-2);
     expect(plate.corners).toEqual([0, 0.5]);
   });
+});
+
+test('the mirror image of an S that is drawn as its back is its mirror', () => {
+  const back = raisedBy(wave(0.5, 2), -1);
+  const [drawn, mirrored] = [joined(wave(0.5, 2), back), joined(wave(0.5, 2), 'mirror')];
+  for (let i = 0; i <= 20; i++) expect(drawn.point(i / 20)).toEqual(mirrored.point(i / 20));
+  const curves = [line([-1, 0], [-1, 5]), line([1, 0], [1, 5])];
+  const sheet = crossSectionSheet({ curves, radius: 1, pressure: false, caps: 'flat' }, drawn, {
+    u: 4,
+    v: 32,
+  })!;
+  // both lids are there: it has a back
+  expect(sheet.rows.some(({ at }) => at.rigid)).toBe(true);
 });
