@@ -33,7 +33,7 @@ export function acrossCard(session: Session, actions: Actions): TemplateResult |
   return html`<section class="across card chrome" part="panel" aria-label=${SECTION_WORDS.title}>
     <header>${icon('section')}<h2>${SECTION_WORDS.title}</h2>${iconButton('x', 'Close', close)}</header>
     <p>${words(found)}</p>
-    ${across ? html`${looks(session)}<div class="foot">${backs(session, across)}</div>` : nothing}
+    ${across ? html`${looks(session)}<div class="foot"><h3>${SECTION_WORDS.back}</h3>${backs(session, across)}</div>` : nothing}
   </section>`;
 }
 
