@@ -8,19 +8,10 @@
  */
 import { dot2 } from '../math/tuple.ts';
 import type { Vec2, Vec3 } from '../math/vec.ts';
+import type { Ring } from './ring.ts';
 
-export interface Stand {
-  /** q_l, q_r and c, mm; at a tip all three are one point */
-  readonly left: Vec2;
-  readonly right: Vec2;
-  readonly centre: Vec2;
-  /** unit, from c to q_l, in the section's plane; at tips its limit */
-  readonly axis: Vec2;
-  /** ρ ≥ 0, mm; 0 at tips */
-  readonly radius: number;
-  /** c′ and h′, by u or by any other measure of the way */
-  readonly dCentre: Vec2;
-  readonly dHalf: Vec2;
+/** As circles stand (ring.ts); derivatives are by u or by any other measure of the way. */
+export interface Stand extends Ring {
   /** on one stroke: inside of tight bends the speed of points is held at this part of the centre's, so that normals stay outward */
   readonly leastSpeed?: number;
 }

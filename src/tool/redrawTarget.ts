@@ -16,6 +16,7 @@ import { cross3, dot3, rotate3 } from '../math/tuple.ts';
 import type { Vec3 } from '../math/vec.ts';
 import { project, toWorld } from '../stroke/plane.ts';
 import type { Plane, Stroke, View } from '../stroke/stroke.ts';
+import { pickBeside } from './beside.ts';
 import { isEdgeOn } from './penStroke.ts';
 import { nearestOn, PIECES, rememberedBy, type SeenPoints } from './seenCurve.ts';
 import type { Bench, Pen } from './tool.ts';
@@ -63,7 +64,7 @@ export function litAt(pen: Pen, bench: Bench, local: boolean): Lit | NotLit {
     const lit = litOn(first, pen, hitOf(first, pen, document, viewport), viewport, local);
     if (lit) return lit;
   }
-  const hit = near(pen, viewport);
+  const hit = pickBeside(pen, viewport, [REACH / 2, REACH]);
   const under = hit && all.find((candidate) => candidate.is(hit.id));
   return (under && litOn(under, pen, hit, viewport, local)) ?? 'redraw-what';
 }
@@ -97,27 +98,6 @@ function hitOf(of: Candidate, { x, y }: Pen, { parts }: Document, viewport: View
   const hit = viewport.pick(x, y, others);
   return hit && of.is(hit.id) ? hit : null;
 }
-
-function near({ x, y }: Pen, viewport: Viewport): Hit | null {
-  for (const reach of [0, REACH / 2, REACH])
-    for (const [dx, dy] of reach === 0 ? ([[0, 0]] as const) : AROUND) {
-      const hit = viewport.pick(x + reach * dx, y + reach * dy);
-      if (hit) return hit;
-    }
-  return null;
-}
-
-const DIAGONAL = Math.SQRT1_2;
-const AROUND = [
-  [1, 0],
-  [0, 1],
-  [-1, 0],
-  [0, -1],
-  [DIAGONAL, DIAGONAL],
-  [-DIAGONAL, DIAGONAL],
-  [-DIAGONAL, -DIAGONAL],
-  [DIAGONAL, -DIAGONAL],
-] as const;
 
 function litOn(
   of: Candidate,

@@ -7,9 +7,10 @@ import { groupAt, groupsIn, partsWith } from '../document/chosen.ts';
 import { isSolid } from '../document/document.ts';
 import { seenParts } from '../document/extent.ts';
 import { partsIn } from './band.ts';
+import { pickBeside } from './beside.ts';
 import { carry } from './move.ts';
 import type { Bench, Pen, State } from './tool.ts';
-import type { Hit, Viewport } from './viewport.ts';
+import type { Hit } from './viewport.ts';
 
 /** Pixels a tap may move. */
 const STILL = 6;
@@ -37,7 +38,8 @@ export const selecting: State = waiting(null);
 function waiting(before: Tap | null): State {
   const state: State = {
     name: 'select.idle',
-    down: (pen, { viewport }) => pressed({ start: pen, last: pen, hit: under(pen, viewport), before }),
+    down: (pen, { viewport }) =>
+      pressed({ start: pen, last: pen, hit: pickBeside(pen, viewport, [REACH[pen.pointer]]), before }),
     // Nothing is under way: cancelling it is no deed.
     cancel: () => state,
   };
@@ -118,27 +120,3 @@ function choose(ids: readonly string[], bench: Bench): void {
 
 const partOf = (hit: Hit | null, { document }: Bench): string | null =>
   document.parts.find(({ id }) => id === hit?.id)?.id ?? null;
-
-/** What is under the pen, or close beside it: thin parts must be found with a finger, too. */
-function under(pen: Pen, viewport: Viewport): Hit | null {
-  const exact = viewport.pick(pen.x, pen.y);
-  if (exact) return exact;
-  const reach = REACH[pen.pointer];
-  for (const [x, y] of AROUND) {
-    const hit = viewport.pick(pen.x + reach * x, pen.y + reach * y);
-    if (hit) return hit;
-  }
-  return null;
-}
-
-const DIAGONAL = Math.SQRT1_2;
-const AROUND = [
-  [1, 0],
-  [0, 1],
-  [-1, 0],
-  [0, -1],
-  [DIAGONAL, DIAGONAL],
-  [-DIAGONAL, DIAGONAL],
-  [-DIAGONAL, -DIAGONAL],
-  [DIAGONAL, -DIAGONAL],
-] as const;
