@@ -88,7 +88,7 @@ test('a section is lit where the pen hovers, and drawn over', async ({ page }) =
   await expect(card).toContainText('Draw over');
   await page.locator('rotund-sketch').evaluate((element: Sketch) => element.session.camera.orbit(0, 90));
   await page.mouse.move(x + 2, y + 4);
-  await expect(card).toContainText('lit outline');
+  await expect(card).toContainText('lit section');
   const pen = await PenDriver.on(page);
   const stroke = Array.from(
     { length: 15 },
