@@ -49,7 +49,7 @@ function counts(parts: readonly SurfacePart[]): string {
 }
 
 /** Quads along and across, without what shuts the ends. */
-function sizeOf(part: SurfacePart): string {
+export function sizeOf(part: SurfacePart): string {
   const sheet = sheetOf(part.kind, part, part.brush);
   const rows = sheet?.rows.filter(({ at }) => !at.rigid) ?? [];
   const along = rows.filter(({ joined, at }, i) => i > 0 && joined && at.u > rows[i - 1]!.at.u).length;

@@ -10,7 +10,14 @@ import { partsWith } from '../document/chosen.ts';
 import { itemsOf } from '../document/command/changeParts.ts';
 import type { Command } from '../document/command/index.ts';
 import { draftCrossings } from '../document/crossings.ts';
-import { type Brush, type Document, EMPTY_DOCUMENT, isImplicit, readingOf } from '../document/document.ts';
+import {
+  type Brush,
+  type Document,
+  EMPTY_DOCUMENT,
+  isImplicit,
+  isSurface,
+  readingOf,
+} from '../document/document.ts';
 import { draftPart, partsWithDraft, roughly } from '../document/draftPart.ts';
 import { type Drawing, FRONT_VIEW } from '../document/drawing.ts';
 import { bodiesOf, type NamedNode } from '../document/fieldParts.ts';
@@ -46,6 +53,7 @@ import { trial } from '../tool/trial.ts';
 import type { Viewport } from '../tool/viewport.ts';
 import { Bodies, type News } from './bodies.ts';
 import { CameraMoves } from './cameraMoves.ts';
+import { sizeOf } from './detailRows.ts';
 import { draftProblem } from './draftProblem.ts';
 import { awaitedBack, longName, previewWords, rememberStart, shortName } from './draftWords.ts';
 import type { Cause } from './events.ts';
@@ -808,8 +816,9 @@ export class Session implements Bench, Viewport {
     const kind = readingOf(this.document) ?? last?.kind;
     if (!kind) return '';
     const body = last && isImplicit(last) ? bodyMade(nodeOf(last)) : null;
-    const grid = `${RESOLUTION.u} × ${RESOLUTION.v} mesh`;
-    const mesh = kind !== 'body' && kind !== 'solid' ? grid : body ? `${body.cells} cells` : '';
+    const surface = last && !this.document.draft && isSurface(last) ? last : null;
+    const grid = surface ? sizeOf(surface) : `${RESOLUTION.u} × ${RESOLUTION.v}`;
+    const mesh = kind !== 'body' && kind !== 'solid' ? `${grid} mesh` : body ? `${body.cells} cells` : '';
     const time = this.frames.buildTime;
     const took = time > 0 ? `${Math.max(1, Math.round(time))} ms` : '';
     const name = this.document.draft ? shortName(this.document) : SURFACE[kind].name;
