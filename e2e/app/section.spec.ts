@@ -76,7 +76,8 @@ test('steps back and undo lose no stroke', async ({ page }) => {
   expect(await facts(page)).toMatchObject({ kind: 'rotational', sections: [50] });
   await step(page, '3 Section').click();
   expect((await facts(page)).kind).toBe('crossSection');
-  for (const expected of ['rotational', 'crossSection', 'rotational', 'tube']) {
+  // trying steps and coming back is nothing to undo
+  for (const expected of ['rotational', 'tube']) {
     await page.getByRole('button', { name: 'Undo' }).click();
     expect((await facts(page)).kind).toBe(expected);
   }

@@ -205,6 +205,11 @@ export const layout = css`
     .view { right: 0.75rem; bottom: calc(9.5rem + env(safe-area-inset-bottom, 0px)); }
     .panel { left: 0.5rem; right: 0.5rem; width: auto; top: auto; bottom: 0; max-height: 70%; border-radius: 1rem 1rem 0 0; }
   }
+  @container (max-width: 359px) {
+    .meter.steps button { padding: 0 0.375rem; gap: 0.125rem; min-width: 2.75rem; justify-content: center; }
+    /* they are among the actions of what is selected, too */
+    .rail .b:is([aria-label='Redraw'], [aria-label='Bend']) { display: none; }
+  }
   @container (max-height: 560px) and (min-width: 700px) {
     .rail { top: calc(50% + 2rem); max-height: calc(100% - 6rem); overflow-y: auto; scrollbar-width: none; }
     .rail.named { width: 3.75rem; align-items: center; }
