@@ -135,7 +135,7 @@ export const partsLayout = css`
     .rail.selecting .toggle { margin-left: auto; }
     .acts { left: 0.5rem; right: 0.5rem; transform: none; bottom: calc(5.25rem + env(safe-area-inset-bottom, 0px)); justify-content: space-between; }
     .acts .b { min-width: 2.75rem; flex: 1 1 auto; padding: 0 0.125rem; }
-    .acts .elsewhere:not(.least) { display: none; }
+    .acts :is(.elsewhere:not(.least), .railed) { display: none; }
     .acts .separator { display: none; }
     .acts ~ .status { max-width: 60%; bottom: calc(10rem + env(safe-area-inset-bottom, 0px)); }
     .acts ~ .view { bottom: calc(10rem + env(safe-area-inset-bottom, 0px)); }
