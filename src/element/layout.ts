@@ -148,6 +148,7 @@ export const layout = css`
   .panel .row[aria-disabled='true'] { color: var(--ink-off); cursor: default; }
   .panel button.row:hover { background: var(--sunken); }
   .panel .slide { padding: 0 0.5rem; }
+  .panel .slide input { display: block; }
   .panel dl { display: grid; grid-template-columns: auto 1fr; gap: 0.25rem 1rem; padding: 0 0.5rem 0.5rem; align-items: center; }
   .panel dd { margin: 0; color: var(--ink-2); }
   .presets { display: grid; grid-template-columns: repeat(4, 1fr); gap: 0.375rem; padding: 0 0.5rem; }
@@ -209,6 +210,7 @@ export const layout = css`
     .panel { left: 0.5rem; right: 0.5rem; width: auto; top: auto; bottom: 0; max-height: 70%; border-radius: 1rem 1rem 0 0; }
   }
   @container (max-width: 359px) {
+    .top { gap: 0.25rem; }
     .meter.steps button { padding: 0 0.375rem; gap: 0.125rem; min-width: 2.75rem; justify-content: center; }
     /* the colour and the radius take their room */
     .rail:not(.selecting) .b:is([aria-label='Redraw'], [aria-label='Bend']) { display: none; }
@@ -228,6 +230,7 @@ export const layout = css`
   @media (forced-colors: active) {
     .card, .b, .segment button { border: 1px solid ButtonText; }
     .b[aria-pressed='true'], .app [aria-checked='true'] { background: Highlight; color: HighlightText; box-shadow: none; forced-color-adjust: none; }
+    .dot { forced-color-adjust: none; }
     /* its track is a gradient, which would be taken away */
     input[type='range'] { forced-color-adjust: none; --surface: Canvas; --ink-2: Highlight; --track: CanvasText; --pencil: Highlight; --e1: none; }
   }
