@@ -162,9 +162,10 @@ test('no handle lies in the way while a radius is drawn', async ({ page }) => {
   await expect(page.locator('.gizmo')).toHaveCount(1);
   await page.evaluate(() => {
     const { session } = document.querySelector('rotund-sketch')!;
-    const { strokes } = session.document.parts[0] as { strokes: readonly never[] };
+    const [form] = session.document.parts;
+    if (!form || !('brush' in form)) throw new Error('no surface');
     session.setTool('draw');
-    session.run({ type: 'addStroke', stroke: strokes[0]! });
+    session.run({ type: 'addStroke', stroke: form.strokes[0]! });
     session.keep();
     session.setTool('select');
     session.select([session.document.parts.at(-1)!.id]);
