@@ -14,28 +14,16 @@
  */
 import { once } from '../math/once.ts';
 import { atan2, TAU } from '../math/trig.ts';
-import {
-  add2,
-  add3,
-  cross2,
-  cross3,
-  dot2,
-  dot3,
-  length3,
-  scale2,
-  scale3,
-  sub2,
-  sub3,
-} from '../math/tuple.ts';
+import { add2, add3, cross2, cross3, dot2, length3, scale2, scale3, sub2 } from '../math/tuple.ts';
 import type { Vec2, Vec3 } from '../math/vec.ts';
-import type { Axis, AxisPoint } from './bendAxis.ts';
+import type { Axis, AxisPoint } from './axis.ts';
 import type { BendPath, PathPoint } from './bendPath.ts';
 import type { Station } from './sheet.ts';
 import type { Side2 } from './sideView.ts';
 import { slope } from './slope.ts';
 
 /** Rows of a 2 × 2 matrix. */
-type Matrix = readonly [Vec2, Vec2];
+export type Matrix = readonly [Vec2, Vec2];
 
 /** The plane motion of one section and its derivatives by u. */
 export interface Move {
@@ -121,64 +109,31 @@ const transposed = ([[a, b], [c, d]]: Matrix): Matrix => [
   [b, d],
 ];
 /** The inverse: a move's turn has determinant 1. */
-const inverse = ([[a, b], [c, d]]: Matrix): Matrix => [
+export const inverse = ([[a, b], [c, d]]: Matrix): Matrix => [
   [d, -b],
   [-c, a],
 ];
 const flat = (v: Vec3): Vec2 => [v[0], v[1]];
 const deep = (v: Vec2, z: number): Vec3 => [v[0], v[1], z];
 
-/** Where points of the section go, in the coordinates of the sheet. */
-export function pointMove(move: Move, view: Side2): (p: Vec3) => Vec3 {
-  const from = move.from();
-  return (p) => {
-    const at = view.point(p);
-    const away = sub2(at, from);
-    const still = away[0] === 0 && away[1] === 0;
-    const to = still ? move.to() : add2(times(move.turn(), away), move.to());
-    // what lies along V is not touched
-    return add3(p, view.out(deep(sub2(to, at), 0)));
-  };
+/** Where a point of the section goes, in the coordinates of the sheet; of whole rows in bentRow.ts. */
+function moved(move: Move, view: Side2, p: Vec3): Vec3 {
+  const at = view.point(p);
+  const away = sub2(at, move.from());
+  const still = away[0] === 0 && away[1] === 0;
+  const to = still ? move.to() : add2(times(move.turn(), away), move.to());
+  // what lies along V is not touched
+  return add3(p, view.out(deep(sub2(to, at), 0)));
 }
 
-/** Normals at p afterwards; `section` null: the row moves stiffly. What the points of a row share is worked out once. */
-export function normalMove(
-  move: Move,
-  view: Side2,
-  section: Station | null,
-): (p: Vec3, normal: Vec3) => Vec3 {
-  const forth = inverse(move.turn());
-  const carried = carriedBy(transposed(forth), view);
-  const stiff = (n: Vec3): Vec3 => unit(carried(n)) ?? n;
-  if (section === null) return (_, n) => stiff(n);
-  const { centre, normal: m } = section;
-  const pace = dot3(section.rate, m);
-  const sweep = cross3(m, section.spin);
-  const flatM = view.flat(m);
-  const strain = strainOf(move);
-  return (p, n) => {
-    const s = pace + dot3(sweep, sub3(p, centre));
-    const a = times(forth, strain(view.point(p)));
-    const bent = sub3(scale3(n, s + dot2(a, flatM)), scale3(m, dot2(a, view.flat(n))));
-    const size = Math.abs(s) + Math.sqrt(dot2(a, a));
-    if (!(length3(bent) > 1e-12 * size)) return stiff(n);
-    return unit(carried(scale3(bent, s < 0 ? -1 : 1))) ?? stiff(n);
-  };
-}
-
-/** Directions of the sheet by a matrix of the side view. */
-function carriedBy(back: Matrix, view: Side2): (v: Vec3) => Vec3 {
-  const axis = (e: Vec3): Vec3 => {
-    const v = view.into(e);
-    return view.out(deep(times(back, flat(v)), v[2]));
-  };
-  const [x, y, z] = [axis([1, 0, 0]), axis([0, 1, 0]), axis([0, 0, 1])];
-  return ([a, b, c]) => add3(add3(scale3(x, a), scale3(y, b)), scale3(z, c));
+/** What every point of the section gains by u beyond what its turn gives. */
+export function gainOf(move: Move): Vec2 {
+  return sub2(move.dTo(), times(move.turn(), move.dFrom()));
 }
 
 /** g: what the section's point gains by u beyond what its turn gives. */
 function strainOf(move: Move): (at: Vec2) => Vec2 {
-  const gain = sub2(move.dTo(), times(move.turn(), move.dFrom()));
+  const gain = gainOf(move);
   const from = move.from();
   return (at) => {
     const away = sub2(at, from);
@@ -203,7 +158,7 @@ export function moveStation(move: Move, view: Side2, station: Station): Station 
     const gained = deep(add2(times(back(), flat(dm)), times(dBack, flat(m()))), dm[2]);
     return view.out(cross3(normal(), scale3(gained, 1 / length3(carried()))));
   });
-  const centre = once(() => pointMove(move, view)(station.centre));
+  const centre = once(() => moved(move, view, station.centre));
   return {
     get centre() {
       return centre();
@@ -218,9 +173,4 @@ export function moveStation(move: Move, view: Side2, station: Station): Station 
       return spin();
     },
   };
-}
-
-function unit(v: Vec3): Vec3 | null {
-  const size = length3(v);
-  return size > 0 && size < Infinity ? scale3(v, 1 / size) : null;
 }
