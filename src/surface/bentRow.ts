@@ -49,15 +49,16 @@ function carriedBy(move: Move, { axes: { x, y, z } }: Side2): Float64Array {
 }
 
 /** The direction (p, q, r) carried, at length 1, into `out` from k on; left alone where it has no length. */
-function put(out: Float64Array, k: number, back: Float64Array, p: number, q: number, r: number): void {
+function put(out: Float64Array, k: number, back: Float64Array, p: number, q: number, r: number): boolean {
   const x = back[0]! * p + back[3]! * q + back[6]! * r;
   const y = back[1]! * p + back[4]! * q + back[7]! * r;
   const z = back[2]! * p + back[5]! * q + back[8]! * r;
   const size = Math.sqrt(x * x + y * y + z * z);
-  if (!(size > 0 && size < Infinity)) return;
+  if (!(size > 0 && size < Infinity)) return false;
   out[k] = x / size;
   out[k + 1] = y / size;
   out[k + 2] = z / size;
+  return true;
 }
 
 function stiffNormals(normals: Float64Array, back: Float64Array): Float64Array {
@@ -74,7 +75,7 @@ function bentNormals(
   { axes: { origin, x, y } }: Side2,
   { centre, rate, normal: m, spin }: Station,
 ): Float64Array {
-  const out = stiffNormals(normals, back);
+  const out = Float64Array.from(normals);
   const pace = dot3(rate, m);
   const sweep = cross3(m, spin);
   const [mx, my] = [dot3(m, x), dot3(m, y)];
@@ -96,7 +97,9 @@ function bentNormals(
     const [e, f, g] = [nx * own - m[0] * other, ny * own - m[1] * other, nz * own - m[2] * other];
     const nothing = 1e-12 * (Math.abs(s) + Math.sqrt(ax * ax + ay * ay));
     const sign = s < 0 ? -1 : 1;
-    if (Math.sqrt(e * e + f * f + g * g) > nothing) put(out, k, back, sign * e, sign * f, sign * g);
+    const isBent =
+      Math.sqrt(e * e + f * f + g * g) > nothing && put(out, k, back, sign * e, sign * f, sign * g);
+    if (!isBent) put(out, k, back, nx, ny, nz);
   }
   return out;
 }

@@ -83,6 +83,7 @@ function together(bent: readonly SheetRow[], before: readonly SheetRow[]): Sheet
   if (runs.length > 1 && inOnePlace(before[0]!, before[before.length - 1]!)) runs[0]!.unshift(...runs.pop()!);
   const out = [...bent];
   for (const run of runs) {
+    if (run.length === 1) continue;
     const [a, b] = [bent[run[0]!]!.points, bent[run[run.length - 1]!]!.points];
     const points = a.map((x, k) => (x === b[k] ? x : 0.5 * (x + b[k]!)));
     for (const i of run) out[i] = { ...bent[i]!, points };
