@@ -12,7 +12,6 @@
  *     n′ ∝ det J · J⁻ᵀ n ∝ sign(s) A⁻ᵀ(n (s + a·m) − m (a·n)),
  * which keeps to the orientation of the triangles where sections overlap, too.
  */
-import { once } from '../math/once.ts';
 import { atan2, TAU } from '../math/trig.ts';
 import { add2, add3, cross2, cross3, dot2, length3, scale2, scale3, sub2 } from '../math/tuple.ts';
 import type { Vec2, Vec3 } from '../math/vec.ts';
@@ -48,33 +47,94 @@ export interface Bending {
   readonly slide: Slide;
 }
 
-export function moveAt({ axis, path, breaks, slide }: Bending, u: number, side: -1 | 1): Move {
-  const here = axis.at(u, side);
-  const l = once((): Frame => frame(here.direction()));
-  const place = once(() => onPath(path, here, side));
-  const d = once((): Frame => frame(place().tangent()));
-  const angle = (x: number, way: -1 | 1): number => {
-    const there = axis.at(x, way);
-    return between(there.direction(), onPath(path, there, way).tangent());
-  };
-  const straying = (x: number, way: -1 | 1): number => between(l()[0], axis.at(x, way).direction());
-  return {
-    turn: once(() => product(d(), [add2(l()[0], scale2(l()[1], slide(u, side)[0])), l()[1]])),
-    dTurn: once(() => {
-      const [k, dk] = slide(u, side);
-      // the difference in one go, so that d = l turns nothing to the last bit
-      const turning = axis.straight ? turningAt(path, here, side) : slope(angle, u, side, breaks, TAU);
-      const swing = k === 0 || axis.straight ? 0 : slope(straying, u, side, breaks, TAU);
-      return product(d(), [
-        add2(scale2(l()[1], dk - turning), scale2(l()[0], -k * swing)),
-        add2(scale2(l()[0], turning), scale2(l()[1], (turning + swing) * k)),
-      ]);
-    }),
-    from: here.point,
-    to: once(() => place().point()),
-    dFrom: here.rate,
-    dTo: once(() => scale2(d()[0], path.stretch * here.speed())),
-  };
+export function moveAt(bending: Bending, u: number, side: -1 | 1): Move {
+  return new SectionMove(bending, u, side);
+}
+
+/** Worked out as it is asked for, and with as few objects as can be: bends one on another ask for tens of thousands. */
+class SectionMove implements Move {
+  readonly #bending: Bending;
+  readonly #u: number;
+  readonly #side: -1 | 1;
+  readonly #here: AxisPoint;
+  #place: PathPoint | null = null;
+  #l: Frame | null = null;
+  #d: Frame | null = null;
+  #turned: Matrix | null = null;
+  #turning: Matrix | null = null;
+
+  constructor(bending: Bending, u: number, side: -1 | 1) {
+    this.#bending = bending;
+    this.#u = u;
+    this.#side = side;
+    this.#here = bending.axis.at(u, side);
+  }
+
+  from(): Vec2 {
+    return this.#here.point();
+  }
+
+  dFrom(): Vec2 {
+    return this.#here.rate();
+  }
+
+  to(): Vec2 {
+    return this.#onPath().point();
+  }
+
+  dTo(): Vec2 {
+    return scale2(this.#after()[0], this.#bending.path.stretch * this.#here.speed());
+  }
+
+  turn(): Matrix {
+    if (!this.#turned) {
+      const [along, left] = this.#before();
+      const [k] = this.#bending.slide(this.#u, this.#side);
+      this.#turned = product(this.#after(), [add2(along, scale2(left, k)), left]);
+    }
+    return this.#turned;
+  }
+
+  dTurn(): Matrix {
+    this.#turning ??= this.#newTurning();
+    return this.#turning;
+  }
+
+  #newTurning(): Matrix {
+    const { axis, path, breaks, slide } = this.#bending;
+    const [u, side] = [this.#u, this.#side];
+    const [along, left] = this.#before();
+    const angle = (x: number, way: -1 | 1): number => {
+      const there = axis.at(x, way);
+      return between(there.direction(), onPath(path, there, way).tangent());
+    };
+    const straying = (x: number, way: -1 | 1): number => between(along, axis.at(x, way).direction());
+    const [k, dk] = slide(u, side);
+    // the difference in one go, so that d = l turns nothing to the last bit
+    const turning = axis.straight ? turningAt(path, this.#here, side) : slope(angle, u, side, breaks, TAU);
+    const swing = k === 0 || axis.straight ? 0 : slope(straying, u, side, breaks, TAU);
+    return product(this.#after(), [
+      add2(scale2(left, dk - turning), scale2(along, -k * swing)),
+      add2(scale2(along, turning), scale2(left, (turning + swing) * k)),
+    ]);
+  }
+
+  #onPath(): PathPoint {
+    this.#place ??= onPath(this.#bending.path, this.#here, this.#side);
+    return this.#place;
+  }
+
+  /** T_l, N_l */
+  #before(): Frame {
+    this.#l ??= frame(this.#here.direction());
+    return this.#l;
+  }
+
+  /** T_d, N_d */
+  #after(): Frame {
+    this.#d ??= frame(this.#onPath().tangent());
+    return this.#d;
+  }
 }
 
 /** The place on d; `side` is along u, and the way may lead back there. */
@@ -132,45 +192,80 @@ export function gainOf(move: Move): Vec2 {
 }
 
 /** g: what the section's point gains by u beyond what its turn gives. */
-function strainOf(move: Move): (at: Vec2) => Vec2 {
+function strainOf(move: Move, at: Vec2): Vec2 {
+  const away = sub2(at, move.from());
   const gain = gainOf(move);
-  const from = move.from();
-  return (at) => {
-    const away = sub2(at, from);
-    return away[0] === 0 && away[1] === 0 ? gain : add2(times(move.dTurn(), away), gain);
-  };
+  return away[0] === 0 && away[1] === 0 ? gain : add2(times(move.dTurn(), away), gain);
 }
 
 /** The station afterwards, so that bends stack. Turns about the section's own normal are left out: they move nothing. */
 export function moveStation(move: Move, view: Side2, station: Station): Station {
-  const back = once(() => transposed(inverse(move.turn())));
-  const m = once(() => view.into(station.normal));
-  const carried = once(() => deep(times(back(), flat(m())), m()[2]));
-  const normal = once(() => scale3(carried(), 1 / length3(carried())));
-  const rate = once(() => {
-    const before = view.into(station.rate);
-    const at = view.point(station.centre);
-    return view.out(deep(add2(times(move.turn(), flat(before)), strainOf(move)(at)), before[2]));
-  });
-  const spin = once(() => {
+  return new MovedStation(move, view, station);
+}
+
+class MovedStation implements Station {
+  readonly #move: Move;
+  readonly #view: Side2;
+  readonly #before: Station;
+  #known: { centre?: Vec3; rate?: Vec3; normal?: Vec3; spin?: Vec3 } = {};
+
+  constructor(move: Move, view: Side2, before: Station) {
+    this.#move = move;
+    this.#view = view;
+    this.#before = before;
+  }
+
+  get centre(): Vec3 {
+    this.#known.centre ??= moved(this.#move, this.#view, this.#before.centre);
+    return this.#known.centre;
+  }
+
+  get rate(): Vec3 {
+    this.#known.rate ??= this.#newRate();
+    return this.#known.rate;
+  }
+
+  get normal(): Vec3 {
+    if (!this.#known.normal) {
+      const m = this.#carried();
+      this.#known.normal = this.#view.out(scale3(m, 1 / length3(m)));
+    }
+    return this.#known.normal;
+  }
+
+  get spin(): Vec3 {
+    this.#known.spin ??= this.#newSpin();
+    return this.#known.spin;
+  }
+
+  #newRate(): Vec3 {
+    const [move, view] = [this.#move, this.#view];
+    const before = view.into(this.#before.rate);
+    const at = view.point(this.#before.centre);
+    return view.out(deep(add2(times(move.turn(), flat(before)), strainOf(move, at)), before[2]));
+  }
+
+  #newSpin(): Vec3 {
+    const [move, view, before] = [this.#move, this.#view, this.#before];
+    const m = this.#carried();
     const dBack = transposed(inverse(move.dTurn()));
-    const dm = view.into(cross3(station.spin, station.normal));
-    const gained = deep(add2(times(back(), flat(dm)), times(dBack, flat(m()))), dm[2]);
-    return view.out(cross3(normal(), scale3(gained, 1 / length3(carried()))));
-  });
-  const centre = once(() => moved(move, view, station.centre));
-  return {
-    get centre() {
-      return centre();
-    },
-    get rate() {
-      return rate();
-    },
-    get normal() {
-      return view.out(normal());
-    },
-    get spin() {
-      return spin();
-    },
-  };
+    const dm = view.into(cross3(before.spin, before.normal));
+    const gained = deep(
+      add2(times(this.#back(), flat(dm)), times(dBack, flat(view.into(before.normal)))),
+      dm[2],
+    );
+    const size = length3(m);
+    return view.out(cross3(scale3(m, 1 / size), scale3(gained, 1 / size)));
+  }
+
+  /** A⁻ᵀ */
+  #back(): Matrix {
+    return transposed(inverse(this.#move.turn()));
+  }
+
+  /** A⁻ᵀ m, in the side view */
+  #carried(): Vec3 {
+    const m = this.#view.into(this.#before.normal);
+    return deep(times(this.#back(), flat(m)), m[2]);
+  }
 }
