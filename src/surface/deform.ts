@@ -9,12 +9,13 @@ import type { Plane } from '../math/plane.ts';
 import type { Curve } from '../stroke/curve.ts';
 import type { Axis } from './axis.ts';
 import { bendAxis } from './bendAxis.ts';
-import { type Bending, moveAt, moveStation } from './bendMap.ts';
+import { type Bending, moveAt } from './bendMap.ts';
 import { type BendPath, bendPath } from './bendPath.ts';
 import { bentRow } from './bentRow.ts';
 import { creased, SAME } from './creased.ts';
 import { kept } from './keptSpine.ts';
 import { mitres } from './mitres.ts';
+import { moveStation } from './movedStation.ts';
 import type { RowAt, Sheet, SheetRow, Spine } from './sheet.ts';
 import { sideView } from './sideView.ts';
 
