@@ -198,6 +198,7 @@ describe('sections', () => {
     const least = after([{ type: 'removeSection', index: 0, only: 'redraw' }], less);
     expect(least.draft!.sections![0]!.redraws).toEqual([]);
     expect(after([{ type: 'removeSection', index: 0, only: 'redraw' }], least)).toBe(least);
+    expect(after([{ type: 'removeSection', index: 0, only: 'redraw', redraw: 1 }], less)).toBe(less);
     const none = after([{ type: 'removeSection', index: 0 }], least);
     expect(readingOf(none)).toBe('rotational');
     expect(none.draft!.sections).toBeUndefined();
