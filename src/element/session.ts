@@ -631,6 +631,9 @@ export class Session implements Bench, Viewport {
     this.state = next;
     if (this.hint !== hint) this.#calmHint();
     if (next.waits) this.#waiting = next;
+    // what was to be turned for is there
+    if (next.redrawing?.over && this.notice?.text === EDIT_WORDS.said['section-edge-on'])
+      this.#clearPassing();
     this.#stir();
     // said once, not at every move
     if (closes) this.said = previewWords(this.shown());
