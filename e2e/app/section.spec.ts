@@ -114,7 +114,7 @@ test('the mouse draws across a kept part, and is told what is missing', async ({
   const mouse = await PenDriver.on(page, 'mouse');
   await page.locator('.stage').focus();
   await page.keyboard.press('l');
-  await expect(said(page)).toContainText('Draw two sides first');
+  await expect(said(page)).toContainText('Draw a tube or two sides first');
   await page.keyboard.press('d');
   await mouse.draw(LEFT);
   await mouse.draw(RIGHT);
