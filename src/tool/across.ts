@@ -29,6 +29,8 @@ const LEAST_CHORD = 12;
 /** The ends of the chord at every u, mm on the plane. */
 export interface Chords {
   at(u: number, side: -1 | 1): { readonly left: Vec2; readonly right: Vec2 };
+  /** u = 1 is u = 0 */
+  readonly closed: boolean;
   /** of a tube: what was drawn lies in the middle, and is meant as much as its edges are */
   readonly isTube?: true;
 }
@@ -107,7 +109,7 @@ function chordsOf(strokes: readonly Stroke[], brush: Brush): Chords | null {
   const { radius, pressure } = brush;
   const source = curve && curve.length > 0 ? sourceOf({ curves: [curve], radius, pressure }) : null;
   if (!source) return null;
-  const known = tubes.get(source) ?? { at: source.stand, isTube: true };
+  const known = tubes.get(source) ?? { closed: source.closed, at: source.stand, isTube: true };
   tubes.set(source, known);
   return known;
 }
@@ -134,7 +136,7 @@ export function guideAt(
 
 /** Within reach of a section that lacks its back it is that; anywhere else a section of its own. */
 function guideThrough(across: Across, u: number, near: SideName, viewport: Viewport): Guide {
-  const section = across.sections[nearestSection(across.sections, u)];
+  const section = across.sections[nearestSection(across.sections, u, across.pair.closed)];
   const isBack = section && lacksBack(across, section) && isBeside(across, [u, section.u], near, viewport);
   const place = isBack ? section.u : u;
   const { left, right } = across.pair.at(place, 1);
