@@ -352,7 +352,7 @@ export const SECTION_WORDS = {
     `Near the section ${places} a stroke is its back, the dashed side; elsewhere it is a new section.`,
   places: (percents: readonly number[]) => `at ${percents.map((percent) => `${percent} %`).join(' or ')}`,
   notAcross: {
-    'no-sides': 'Draw two sides first, then across them',
+    'no-sides': 'Draw a tube or two sides first, then across',
     'edge-on': 'The form’s drawing plane is seen from its edge.',
     'off-sides': 'Start at one of the two sides',
     bent: 'This form is bent: recreate it to draw across its strokes',
@@ -398,6 +398,8 @@ export const EDIT_WORDS = {
   stroke: (n: number) => `Stroke ${n}`,
   removeStroke: (n: number, what: 'side' | 'front' | 'back' | 'redraw') =>
     `Remove stroke ${n}, ${{ side: 'a side', front: 'a section', back: 'a back', redraw: 'a redrawing' }[what]}`,
+  overNothing: (numbers: readonly number[]) =>
+    `Stroke ${numbers.join(', ')}: the part of the section it was drawn over is gone`,
   redraw: 'Redraw',
   redrawKey: 'O',
   redrawLit: { section: 'Redraw part of the lit section', side: 'Redraw part of the lit side' },
