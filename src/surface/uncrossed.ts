@@ -14,6 +14,8 @@ import { type Pass, selfCrossings } from './selfCrossings.ts';
 
 /** half chords from a crossing to where it is cut short, on each of its four stretches */
 const SHORT = 2e-3;
+/** … where a stretch ends in it, so many times */
+const LONGER = 1.1;
 /** … but no more of a stretch than this */
 const MOST = 0.25;
 /** a scribble of more crossings stays as it was drawn */
@@ -186,7 +188,9 @@ function halfOf(outline: Outline, all: readonly Step[], start: 0 | 0.5): Piece[]
 function cutAt(outline: Outline, v: number, { from, to }: Step): number {
   const side = v === Math.min(from, to) ? 1 : -1;
   const most = MOST * Math.abs(to - from);
-  return Math.min(SHORT / length2(outline.derivative(v, side)), most);
+  // webs at both ends of a spike, which runs back on itself, must not meet
+  const short = v === from ? SHORT : LONGER * SHORT;
+  return Math.min(short / length2(outline.derivative(v, side)), most);
 }
 
 function stretchOf(outline: Outline, first: number, last: number, from: number, to: number): Piece {
