@@ -1,0 +1,38 @@
+/** Words of surfaces in their card. */
+
+export const SURFACE_WORDS = {
+  sections: 'Sections',
+  sectionsOf: (name: string) => `Sections of ${name}`,
+  at: (percent: number) => `at ${percent} %`,
+  light: (at: string) => `Section ${at}: show it on the form`,
+  removeSection: (at: string) => `Remove the section ${at}`,
+  remove: (what: string) => `Remove ${what}`,
+  draw: 'Draw one',
+  between: 'Between sections',
+  betweens: {
+    cubic: { name: 'Smooth', hint: 'Sections flow over into each other' },
+    linear: { name: 'Straight', hint: 'Sections go over into each other in a straight line' },
+    plain: { name: 'Plain', hint: 'Points joined as they are, without a spline' },
+  },
+  bends: 'Bends',
+  bend: (number: number) => `Bend ${number}`,
+  bendOn: (bend: string) => `Put ${bend} in force`,
+  bendOff: (bend: string) => `Leave out ${bend}`,
+  redrawBend: (bend: string) => `Draw ${bend} anew`,
+  lengthKept: 'Length kept',
+  lengthHint: 'The part keeps its length; else it reaches as far as what was drawn',
+  detail: 'Detail',
+  coarser: 'Coarser',
+  finer: 'Finer',
+  editDetail: 'Edit detail',
+  autoRows: 'As many rows as it needs',
+  autoRowsHint: 'Rows of the control mesh follow the outline; refining never moves the strokes',
+  parts: {
+    rows: { name: 'Rows', hint: 'Spans of the control mesh along the form' },
+    columns: { name: 'Columns', hint: 'Spans of the control mesh across' },
+    u: { name: 'Subdivisions along', hint: 'How often each span along the form is halved' },
+    v: { name: 'Subdivisions across', hint: 'How often each span across is halved' },
+  },
+  mesh: 'Show control mesh',
+  meshHint: 'The control mesh of patches, and strokes with their control points',
+} as const;
