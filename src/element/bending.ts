@@ -79,6 +79,8 @@ export function dropBend(session: Session): void {
     session.commit([{ type: 'setBend', id, index, change: old }]);
   }
   keepBend(session);
+  session.said = EDIT_WORDS.left(EDIT_WORDS.bend);
+  session.update();
 }
 
 export function setBendLength(session: Session, keepsLength: boolean): void {

@@ -103,7 +103,7 @@ function partsButton({ document }: Session, actions: Actions): TemplateResult {
 export function styleRadios(session: Session, again: () => void): TemplateResult[] {
   const { look, document } = session;
   return (Object.entries(STYLE_NAMES) as [ShownStyle, string][]).map(([style, name]) => {
-    const chosen = look.style === style;
+    const chosen = look.style === style || (style === 'gouraud' && look.style === 'phong');
     return html`<button
       class="style"
       role="radio"

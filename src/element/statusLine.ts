@@ -14,6 +14,10 @@ export function status(session: Session): TemplateResult {
     ${session.hint ? html`<span aria-hidden="true"><b>${session.hint}</b></span>` : nothing}
     <span role="status" aria-live="polite" class=${session.hint ? 'hidden' : ''}><b>${session.said}</b></span>
     <span class="hidden hint-said" aria-live="polite">${session.hintAtRest}</span>
-    <span><i class="dot ${backend === 'WebGPU' ? '' : 'slow'}"></i><span class="seen">${seen}</span><span class="aside"><span class="gap">${seen && ' · '}</span><span class="facts">${detail && `${detail} · `}</span>${draws}</span></span>
+    <span><i class="dot ${backend === 'WebGPU' ? '' : 'slow'}"></i><span class="seen">${unbroken(seen)}</span><span class="aside"><span class="gap">${seen && ' · '}</span><span class="facts">${unbroken(detail)}${detail && ' · '}</span>${draws}</span></span>
   </div>`;
 }
+
+/** Lines end between facts, not within one. */
+const unbroken = (facts: string) =>
+  facts.split(' · ').map((fact, i) => html`${i > 0 ? ' · ' : ''}<span class="fact">${fact}</span>`);

@@ -9,6 +9,7 @@ export const SURFACE_WORDS = {
   remove: (what: string) => `Remove ${what}`,
   draw: 'Draw one',
   between: 'Between sections',
+  shortBetween: 'Between',
   betweens: {
     cubic: { name: 'Smooth', hint: 'Sections flow over into each other' },
     linear: { name: 'Straight', hint: 'Sections go over into each other in a straight line' },
