@@ -1,0 +1,41 @@
+/** Words of what is drawn over forms that are there. */
+
+export const EDIT_WORDS = {
+  bend: 'Bend',
+  bendKey: 'B',
+  drawLine: 'Draw the new centre line',
+  bent: (name: string) => `${name} bent`,
+  which: 'Tap the part to bend',
+  noneToBend: 'Nothing to bend yet: draw a form first',
+  left: (tool: string) => `${tool} put away`,
+  bendFact: (index: number) => `bend ${index + 1}`,
+  recreate: 'Recreate',
+  recreateHint: 'Back to its strokes: draw on, redraw, remove',
+  strokes: 'Strokes',
+  stroke: (n: number) => `Stroke ${n}`,
+  removeStroke: (n: number, what: 'side' | 'front' | 'back' | 'redraw') =>
+    `Remove stroke ${n}, ${{ side: 'a side', front: 'a section', back: 'a back', redraw: 'a redrawing' }[what]}`,
+  overNothing: (numbers: readonly number[]) =>
+    `Stroke ${numbers.join(', ')}: the part of the section it was drawn over is gone`,
+  redraw: 'Redraw',
+  redrawKey: 'O',
+  redrawLit: { section: 'Redraw part of the lit section', side: 'Redraw part of the lit side' },
+  redrawHover: 'Draw over a section or a side',
+  reach: 'How far it reaches',
+  whole: 'Whole form',
+  wholeHint: 'The surface follows all along',
+  here: 'Only here',
+  hereHint: 'It fades to what was there',
+  length: 'Length',
+  kept: 'Length kept',
+  keptHint: 'It stays as long as it was',
+  stretched: 'Stretched',
+  stretchedHint: 'It reaches as far as the stroke',
+  said: {
+    bend: 'Draw the new centre line',
+    'bend-what': 'Only surfaces of strokes can be bent',
+    'redraw-what': 'Start on a surface of strokes, or on one of its sides',
+    'section-edge-on': 'Turn the view a little to redraw a section',
+    'end-on': 'The axis is seen from its end. Turn the view a little',
+  },
+} as const;

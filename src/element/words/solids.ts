@@ -1,0 +1,58 @@
+/** Words of solids in the list, in their card and at their handles. */
+
+export const SOLID_WORDS = {
+  form: { soft: 'Soft', plate: 'Plate', ring: 'Ring', line: 'Line', curve: 'Curve', point: 'Point' },
+  selectedIn: (name: string, solid: string) => `${name} of ${solid} selected`,
+  component: (groups: number) => (groups === 1 ? '1 form blends here' : `${groups} forms blend`),
+  inside: (components: number, groups: number) =>
+    components > 1 ? `${components} components` : groups === 1 ? '1 form' : `${groups} forms`,
+  open: (name: string) => `Show what ${name} is made of`,
+  closed: (name: string) => `Hide what ${name} is made of`,
+  carves: 'carves',
+  carving: 'Carves what it blends with',
+  byHand: 'edited skeleton',
+  dropOn: {
+    blend: (name: string) => `Blend with ${name}`,
+    attach: (name: string) => `Attach to ${name}`,
+    own: 'On its own',
+  },
+  nowhere: 'Drop on a form, a component or a solid',
+  what: 'What it becomes',
+  radius: { plate: 'Half thickness', other: 'Radius' },
+  weight: 'Weight',
+  weightHint: 'How much it counts in the sum; below 0 it carves.',
+  depth: 'Depth',
+  depthHint: 'Thickness off the plane it was drawn on (β of y)',
+  breadth: 'Breadth',
+  breadthHint: 'Width within the plane it was drawn on (β of x)',
+  section: 'Cross section',
+  sections: { round: 'Round', superQuadric: 'Super-quadric', extrusion: 'Extrusion' },
+  exponent: 'Corners',
+  exponentHint: '1 is a rhombus, 2 round, above it nears a box (α)',
+  kernel: 'Kernel',
+  kernelHint: 'How the influence of a skel fades; of all that blend in a component',
+  threshold: 'Threshold',
+  thresholdHint: 'Where the surface lies: lower is thicker, and blends from further off (T)',
+  join: 'Belongs to',
+  joinHint: 'Forms of one component blend; components of a solid touch without blending.',
+  joinNow: (component: string, solid: string) => (component ? `${component} of ${solid}` : solid),
+  newComponent: (solid: string) => `Attached to ${solid}`,
+  fit: (percent: string, atBound: number, ratio: string) =>
+    `Off its outline by ${percent} % at most · ${atBound} % of weights at a bound · neighbours 1 : ${ratio}`,
+  mirror: 'Mirror',
+  mirrorCopy: 'Mirror copy',
+  mirrorHint: (about: string | null) =>
+    about === null
+      ? 'Flips it where it is: nothing else is there, or it lies in the middle'
+      : `To the other side of the middle of ${about}, as you look at it`,
+  copy: 'Copy',
+  paste: 'Paste',
+  copied: (name: string) => `${name} copied`,
+  cut: (name: string) => `${name} cut. Undo brings it back`,
+  pasted: (name: string) => `${name} pasted`,
+  noPaste: 'There is nothing of a drawing to paste',
+  handle: { turn: 'Turn', scale: 'Scale' },
+  turnHint: 'Drag around, with Shift in steps of 15°; arrow keys 1°, with Shift 10°.',
+  tiltHint: 'Drag up and down, or to the sides, with Shift in steps of 15°; arrow keys 1°, with Shift 10°.',
+  scaleHint: 'Drag outward, with Shift in steps of 10 %; arrow keys 1 %, with Shift 10 %.',
+} as const;
