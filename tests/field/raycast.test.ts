@@ -242,6 +242,6 @@ describe('against intervals in float64', () => {
       expect(faults).toEqual([]);
       expect(hits).toBeGreaterThan(COUNT);
     },
-    60_000,
+    120_000,
   );
 });
