@@ -78,16 +78,26 @@ export function sheetOf(
   resolution: Resolution | null = null,
 ): Sheet | null {
   const straight = unbent(kind, form, brush, resolution);
-  if (!straight || form.bends.length === 0) return straight;
-  const known = bent.get(straight);
-  if (known?.bends === form.bends) return known.sheet;
-  const sheet = bendsOf(form, brush).reduce(deform, straight);
-  bent.set(straight, { bends: form.bends, sheet });
-  return sheet;
+  const drawing = form.strokes[0]?.plane;
+  return straight && drawing
+    ? form.bends.reduce((sheet, bend) => withBend(sheet, bend, drawing, brush), straight)
+    : straight;
 }
 
-/** Of each sheet with the bends it had last; what those depend on beside their list, the sheet does, too. */
-const bent = new WeakMap<Sheet, { readonly bends: SurfaceForm['bends']; readonly sheet: Sheet }>();
+/**
+ * Of each sheet the bend it had last, so that in a stack what lies below the bend that is drawn stays. What the result depends on
+ * beside the bend, the sheet does, too.
+ */
+const bent = new WeakMap<Sheet, { readonly bend: Bend; readonly sheet: Sheet }>();
+
+function withBend(straight: Sheet, bend: Bend, drawing: Stroke['plane'], brush: Brush): Sheet {
+  if (bend.isOff) return straight;
+  const known = bent.get(straight);
+  if (known?.bend === bend) return known.sheet;
+  const sheet = bendOf(bend, drawing, brush).reduce(deform, straight);
+  bent.set(straight, { bend, sheet });
+  return sheet;
+}
 
 function unbent(
   kind: SurfaceKind,

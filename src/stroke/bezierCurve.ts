@@ -7,7 +7,7 @@
 import { gauss } from '../math/quadrature.ts';
 import { length2, scale2, sub2 } from '../math/tuple.ts';
 import type { Vec2 } from '../math/vec.ts';
-import { bezierDerivative, bezierPoint } from './bspline.ts';
+import { bezierPoint, hodograph } from './bspline.ts';
 import type { Curve } from './curve.ts';
 
 /** The control points of one span, of degree 1 to 3. */
@@ -16,6 +16,8 @@ export type Bezier = readonly Vec2[];
 /** A stretch of one span over which the quadrature is exact. */
 interface Cell {
   readonly bezier: Bezier;
+  /** the control points of c′ */
+  readonly derivative: Bezier;
   /** |c′| at t */
   readonly speed: (t: number) => number;
   readonly t0: number;
@@ -45,7 +47,13 @@ export function bezierCurve(
 ): Curve {
   const { cells, starts, length } = measure(pieces);
   const corners = starts.filter((_, i) => i > 0 || (closed && !smoothStart)).map((s) => s / (length || 1));
-  const find = (u: number, side: -1 | 1) => locate(cells, place(u, closed) * length, length, closed, side);
+  // who asks for the tangent has often asked for the point
+  let last = { u: NaN, side: 0, found: { cell: cells[0]!, t: 0 } };
+  const find = (u: number, side: -1 | 1) => {
+    if (last.u !== u || last.side !== side)
+      last = { u, side, found: locate(cells, place(u, closed) * length, length, closed, side) };
+    return last.found;
+  };
   return {
     closed,
     length,
@@ -56,7 +64,7 @@ export function bezierCurve(
     },
     tangent: (u, side = 1) => {
       const { cell, t } = find(u, side);
-      return direction(cell.bezier, t);
+      return direction(cell, t);
     },
     pressure: (u) => pressure(place(u, closed)),
   };
@@ -70,16 +78,17 @@ function measure(pieces: readonly (readonly Bezier[])[]) {
     starts.push(s);
     for (const bezier of piece) {
       const speed = speedOf(bezier);
+      const derivative = hodograph(bezier);
       for (const [t0, t1, span] of stretches(bezier, speed)) {
         // a span of no length has no place on the curve, except when the curve has nothing else
-        if (span > 0) cells.push({ bezier, speed, t0, t1, s0: s, s1: s + span });
+        if (span > 0) cells.push({ bezier, derivative, speed, t0, t1, s0: s, s1: s + span });
         s += span;
       }
     }
   }
   if (cells.length === 0) {
     const bezier = pieces[0]![0]!;
-    cells.push({ bezier, speed: () => 0, t0: 0, t1: 1, s0: 0, s1: 0 });
+    cells.push({ bezier, derivative: hodograph(bezier), speed: () => 0, t0: 0, t1: 1, s0: 0, s1: 0 });
   }
   return { cells, starts, length: s };
 }
@@ -162,13 +171,22 @@ function invert(cell: Cell, s: number): number {
 }
 
 /** Unit tangent; where the speed vanishes (a cusp, doubled control points), that of a little further inside. */
-function direction(bezier: Bezier, t: number): Vec2 {
-  const size = bezier.reduce((most, p) => Math.max(most, length2(sub2(p, bezier[0]!))), 0);
-  for (const nudge of [0, 1e-6, 1e-4, 1e-2]) {
-    const d = bezierDerivative(bezier, t < 0.5 ? t + nudge : t - nudge);
+function direction({ bezier, derivative }: Cell, t: number): Vec2 {
+  const size = spread(bezier);
+  for (const nudge of NUDGES) {
+    const d = bezierPoint(derivative, t < 0.5 ? t + nudge : t - nudge);
     if (length2(d) > 1e-9 * size) return unit(d)!;
   }
   return unit(sub2(bezier[bezier.length - 1]!, bezier[0]!)) ?? [1, 0];
+}
+
+const NUDGES = [0, 1e-6, 1e-4, 1e-2] as const;
+
+/** How far control points are from the first, mm. */
+function spread(bezier: Bezier): number {
+  let most = 0;
+  for (const p of bezier) most = Math.max(most, length2(sub2(p, bezier[0]!)));
+  return most;
 }
 
 /** u inside [0, 1]: clamped on open curves, wrapped on closed ones. */

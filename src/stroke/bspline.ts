@@ -66,7 +66,7 @@ export function splineDerivative(points: readonly Vec2[], degree: Degree, closed
   const { span } = weightsAt(basis, t);
   const spans = spanCount(basis);
   const inside = closed ? t - Math.floor(t / spans) * spans : Math.min(Math.max(t, 0), spans);
-  return bezierDerivative(spanBezier(points, basis, span), inside - span);
+  return bezierPoint(hodograph(spanBezier(points, basis, span)), inside - span);
 }
 
 /** Where the curve passes at its joins: limit positions of the control polygon (open: spans + 1 points, closed: spans). */
@@ -92,29 +92,33 @@ export function splineBeziers(points: readonly Vec2[], degree: Degree, closed: b
 
 /** Position on a Bézier curve of any degree by de Casteljau: the ends are met exactly. */
 export function bezierPoint(b: readonly Vec2[], t: number): Vec2 {
-  const x = b.map((p) => p[0]);
-  const y = b.map((p) => p[1]);
-  for (let n = b.length - 1; n > 0; n--) {
-    for (let i = 0; i < n; i++) {
-      x[i] = x[i]! * (1 - t) + x[i + 1]! * t;
-      y[i] = y[i]! * (1 - t) + y[i + 1]! * t;
-    }
-  }
-  return [x[0]!, y[0]!];
+  return [coordinate(b, 0, t), coordinate(b, 1, t)];
 }
 
-/** Derivative of a Bézier curve with respect to t. */
-export function bezierDerivative(b: readonly Vec2[], t: number): Vec2 {
+/** De Casteljau of degree 3 at most, without a list: curves are asked thousands of times for a surface. */
+function coordinate(b: readonly Vec2[], k: 0 | 1, t: number): number {
+  const s = 1 - t;
+  const first = b[0]![k];
+  if (b.length === 1) return first;
+  let p = first * s + b[1]![k] * t;
+  if (b.length === 2) return p;
+  let q = b[1]![k] * s + b[2]![k] * t;
+  p = p * s + q * t;
+  if (b.length === 3) return p;
+  const r = b[2]![k] * s + b[3]![k] * t;
+  q = q * s + r * t;
+  return p * s + q * t;
+}
+
+/** The control points of the derivative with respect to t, one fewer. */
+export function hodograph(b: readonly Vec2[]): Vec2[] {
   const n = b.length - 1;
-  if (n === 0) return [0, 0];
-  return bezierPoint(
-    Array.from({ length: n }, (_, i): Vec2 => {
-      const p = b[i]!;
-      const q = b[i + 1]!;
-      return [n * (q[0] - p[0]), n * (q[1] - p[1])];
-    }),
-    t,
-  );
+  if (n === 0) return [[0, 0]];
+  return Array.from({ length: n }, (_, i): Vec2 => {
+    const p = b[i]!;
+    const q = b[i + 1]!;
+    return [n * (q[0] - p[0]), n * (q[1] - p[1])];
+  });
 }
 
 /** The j-th knot, counted so that a span i lies between knots i + degree and i + degree + 1. */

@@ -12,30 +12,16 @@
  *     n′ ∝ det J · J⁻ᵀ n ∝ sign(s) A⁻ᵀ(n (s + a·m) − m (a·n)),
  * which keeps to the orientation of the triangles where sections overlap, too.
  */
-import { once } from '../math/once.ts';
 import { atan2, TAU } from '../math/trig.ts';
-import {
-  add2,
-  add3,
-  cross2,
-  cross3,
-  dot2,
-  dot3,
-  length3,
-  scale2,
-  scale3,
-  sub2,
-  sub3,
-} from '../math/tuple.ts';
-import type { Vec2, Vec3 } from '../math/vec.ts';
-import type { Axis, AxisPoint } from './bendAxis.ts';
+import { add2, cross2, dot2, scale2, sub2 } from '../math/tuple.ts';
+import type { Vec2 } from '../math/vec.ts';
+import type { Axis, AxisPoint } from './axis.ts';
 import type { BendPath, PathPoint } from './bendPath.ts';
-import type { Station } from './sheet.ts';
 import type { Side2 } from './sideView.ts';
 import { slope } from './slope.ts';
 
 /** Rows of a 2 × 2 matrix. */
-type Matrix = readonly [Vec2, Vec2];
+export type Matrix = readonly [Vec2, Vec2];
 
 /** The plane motion of one section and its derivatives by u. */
 export interface Move {
@@ -60,33 +46,94 @@ export interface Bending {
   readonly slide: Slide;
 }
 
-export function moveAt({ axis, path, breaks, slide }: Bending, u: number, side: -1 | 1): Move {
-  const here = axis.at(u, side);
-  const l = once((): Frame => frame(here.direction()));
-  const place = once(() => onPath(path, here, side));
-  const d = once((): Frame => frame(place().tangent()));
-  const angle = (x: number, way: -1 | 1): number => {
-    const there = axis.at(x, way);
-    return between(there.direction(), onPath(path, there, way).tangent());
-  };
-  const straying = (x: number, way: -1 | 1): number => between(l()[0], axis.at(x, way).direction());
-  return {
-    turn: once(() => product(d(), [add2(l()[0], scale2(l()[1], slide(u, side)[0])), l()[1]])),
-    dTurn: once(() => {
-      const [k, dk] = slide(u, side);
-      // the difference in one go, so that d = l turns nothing to the last bit
-      const turning = axis.straight ? turningAt(path, here, side) : slope(angle, u, side, breaks, TAU);
-      const swing = k === 0 || axis.straight ? 0 : slope(straying, u, side, breaks, TAU);
-      return product(d(), [
-        add2(scale2(l()[1], dk - turning), scale2(l()[0], -k * swing)),
-        add2(scale2(l()[0], turning), scale2(l()[1], (turning + swing) * k)),
-      ]);
-    }),
-    from: here.point,
-    to: once(() => place().point()),
-    dFrom: here.rate,
-    dTo: once(() => scale2(d()[0], path.stretch * here.speed())),
-  };
+export function moveAt(bending: Bending, u: number, side: -1 | 1): Move {
+  return new SectionMove(bending, u, side);
+}
+
+/** Worked out as it is asked for, and with as few objects as can be: bends one on another ask for tens of thousands. */
+class SectionMove implements Move {
+  readonly #bending: Bending;
+  readonly #u: number;
+  readonly #side: -1 | 1;
+  readonly #here: AxisPoint;
+  #place: PathPoint | null = null;
+  #l: Frame | null = null;
+  #d: Frame | null = null;
+  #turned: Matrix | null = null;
+  #turning: Matrix | null = null;
+
+  constructor(bending: Bending, u: number, side: -1 | 1) {
+    this.#bending = bending;
+    this.#u = u;
+    this.#side = side;
+    this.#here = bending.axis.at(u, side);
+  }
+
+  from(): Vec2 {
+    return this.#here.point();
+  }
+
+  dFrom(): Vec2 {
+    return this.#here.rate();
+  }
+
+  to(): Vec2 {
+    return this.#onPath().point();
+  }
+
+  dTo(): Vec2 {
+    return scale2(this.#after()[0], this.#bending.path.stretch * this.#here.speed());
+  }
+
+  turn(): Matrix {
+    if (!this.#turned) {
+      const [along, left] = this.#before();
+      const [k] = this.#bending.slide(this.#u, this.#side);
+      this.#turned = product(this.#after(), [add2(along, scale2(left, k)), left]);
+    }
+    return this.#turned;
+  }
+
+  dTurn(): Matrix {
+    this.#turning ??= this.#newTurning();
+    return this.#turning;
+  }
+
+  #newTurning(): Matrix {
+    const { axis, path, breaks, slide } = this.#bending;
+    const [u, side] = [this.#u, this.#side];
+    const [along, left] = this.#before();
+    const angle = (x: number, way: -1 | 1): number => {
+      const there = axis.at(x, way);
+      return between(there.direction(), onPath(path, there, way).tangent());
+    };
+    const straying = (x: number, way: -1 | 1): number => between(along, axis.at(x, way).direction());
+    const [k, dk] = slide(u, side);
+    // the difference in one go, so that d = l turns nothing to the last bit
+    const turning = axis.straight ? turningAt(path, this.#here, side) : slope(angle, u, side, breaks, TAU);
+    const swing = k === 0 || axis.straight ? 0 : slope(straying, u, side, breaks, TAU);
+    return product(this.#after(), [
+      add2(scale2(left, dk - turning), scale2(along, -k * swing)),
+      add2(scale2(along, turning), scale2(left, (turning + swing) * k)),
+    ]);
+  }
+
+  #onPath(): PathPoint {
+    this.#place ??= onPath(this.#bending.path, this.#here, this.#side);
+    return this.#place;
+  }
+
+  /** T_l, N_l */
+  #before(): Frame {
+    this.#l ??= frame(this.#here.direction());
+    return this.#l;
+  }
+
+  /** T_d, N_d */
+  #after(): Frame {
+    this.#d ??= frame(this.#onPath().tangent());
+    return this.#d;
+  }
 }
 
 /** The place on d; `side` is along u, and the way may lead back there. */
@@ -115,112 +162,13 @@ function product(d: Frame, r: Frame): Matrix {
 const frame = (along: Vec2): Frame => [along, left(along)];
 const left = (v: Vec2): Vec2 => [-v[1], v[0]];
 const between = (a: Vec2, b: Vec2): number => atan2(cross2(a, b), dot2(a, b));
-const times = (m: Matrix, v: Vec2): Vec2 => [dot2(m[0], v), dot2(m[1], v)];
-const transposed = ([[a, b], [c, d]]: Matrix): Matrix => [
-  [a, c],
-  [b, d],
-];
+export const times = (m: Matrix, v: Vec2): Vec2 => [dot2(m[0], v), dot2(m[1], v)];
 /** The inverse: a move's turn has determinant 1. */
-const inverse = ([[a, b], [c, d]]: Matrix): Matrix => [
+export const inverse = ([[a, b], [c, d]]: Matrix): Matrix => [
   [d, -b],
   [-c, a],
 ];
-const flat = (v: Vec3): Vec2 => [v[0], v[1]];
-const deep = (v: Vec2, z: number): Vec3 => [v[0], v[1], z];
-
-/** Where points of the section go, in the coordinates of the sheet. */
-export function pointMove(move: Move, view: Side2): (p: Vec3) => Vec3 {
-  const from = move.from();
-  return (p) => {
-    const at = view.point(p);
-    const away = sub2(at, from);
-    const still = away[0] === 0 && away[1] === 0;
-    const to = still ? move.to() : add2(times(move.turn(), away), move.to());
-    // what lies along V is not touched
-    return add3(p, view.out(deep(sub2(to, at), 0)));
-  };
-}
-
-/** Normals at p afterwards; `section` null: the row moves stiffly. What the points of a row share is worked out once. */
-export function normalMove(
-  move: Move,
-  view: Side2,
-  section: Station | null,
-): (p: Vec3, normal: Vec3) => Vec3 {
-  const forth = inverse(move.turn());
-  const carried = carriedBy(transposed(forth), view);
-  const stiff = (n: Vec3): Vec3 => unit(carried(n)) ?? n;
-  if (section === null) return (_, n) => stiff(n);
-  const { centre, normal: m } = section;
-  const pace = dot3(section.rate, m);
-  const sweep = cross3(m, section.spin);
-  const flatM = view.flat(m);
-  const strain = strainOf(move);
-  return (p, n) => {
-    const s = pace + dot3(sweep, sub3(p, centre));
-    const a = times(forth, strain(view.point(p)));
-    const bent = sub3(scale3(n, s + dot2(a, flatM)), scale3(m, dot2(a, view.flat(n))));
-    const size = Math.abs(s) + Math.sqrt(dot2(a, a));
-    if (!(length3(bent) > 1e-12 * size)) return stiff(n);
-    return unit(carried(scale3(bent, s < 0 ? -1 : 1))) ?? stiff(n);
-  };
-}
-
-/** Directions of the sheet by a matrix of the side view. */
-function carriedBy(back: Matrix, view: Side2): (v: Vec3) => Vec3 {
-  const axis = (e: Vec3): Vec3 => {
-    const v = view.into(e);
-    return view.out(deep(times(back, flat(v)), v[2]));
-  };
-  const [x, y, z] = [axis([1, 0, 0]), axis([0, 1, 0]), axis([0, 0, 1])];
-  return ([a, b, c]) => add3(add3(scale3(x, a), scale3(y, b)), scale3(z, c));
-}
-
-/** g: what the section's point gains by u beyond what its turn gives. */
-function strainOf(move: Move): (at: Vec2) => Vec2 {
-  const gain = sub2(move.dTo(), times(move.turn(), move.dFrom()));
-  const from = move.from();
-  return (at) => {
-    const away = sub2(at, from);
-    return away[0] === 0 && away[1] === 0 ? gain : add2(times(move.dTurn(), away), gain);
-  };
-}
-
-/** The station afterwards, so that bends stack. Turns about the section's own normal are left out: they move nothing. */
-export function moveStation(move: Move, view: Side2, station: Station): Station {
-  const back = once(() => transposed(inverse(move.turn())));
-  const m = once(() => view.into(station.normal));
-  const carried = once(() => deep(times(back(), flat(m())), m()[2]));
-  const normal = once(() => scale3(carried(), 1 / length3(carried())));
-  const rate = once(() => {
-    const before = view.into(station.rate);
-    const at = view.point(station.centre);
-    return view.out(deep(add2(times(move.turn(), flat(before)), strainOf(move)(at)), before[2]));
-  });
-  const spin = once(() => {
-    const dBack = transposed(inverse(move.dTurn()));
-    const dm = view.into(cross3(station.spin, station.normal));
-    const gained = deep(add2(times(back(), flat(dm)), times(dBack, flat(m()))), dm[2]);
-    return view.out(cross3(normal(), scale3(gained, 1 / length3(carried()))));
-  });
-  const centre = once(() => pointMove(move, view)(station.centre));
-  return {
-    get centre() {
-      return centre();
-    },
-    get rate() {
-      return rate();
-    },
-    get normal() {
-      return view.out(normal());
-    },
-    get spin() {
-      return spin();
-    },
-  };
-}
-
-function unit(v: Vec3): Vec3 | null {
-  const size = length3(v);
-  return size > 0 && size < Infinity ? scale3(v, 1 / size) : null;
+/** What every point of the section gains by u beyond what its turn gives. */
+export function gainOf(move: Move): Vec2 {
+  return sub2(move.dTo(), times(move.turn(), move.dFrom()));
 }

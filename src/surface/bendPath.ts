@@ -12,7 +12,7 @@ import { add2, cross2, distance2, scale2 } from '../math/tuple.ts';
 import type { Vec2 } from '../math/vec.ts';
 import type { Curve } from '../stroke/curve.ts';
 import { nearestParameter } from '../stroke/nearestPoint.ts';
-import type { Axis } from './bendAxis.ts';
+import type { Axis } from './axis.ts';
 import { ON_CORNER } from './side.ts';
 import { slope } from './slope.ts';
 

@@ -24,7 +24,7 @@ export function controlCount(spans: number, ends: Ends): number {
 }
 
 /** From `count` control points to those of twice as many spans. RangeError below 4 (clamped) or 3 (periodic) points. */
-export function subdivisionMask(count: number, ends: Ends): Mask {
+export const subdivisionMask = cached((count, ends) => {
   enough(count, ends);
   if (ends === 'periodic') {
     return rounds(2 * count, (j) =>
@@ -32,10 +32,10 @@ export function subdivisionMask(count: number, ends: Ends): Mask {
     );
   }
   return mirrored(2 * count - 3, count, (j) => clampedSubdivision(j, count));
-}
+});
 
 /** Positions at the knots: spans + 1 of a clamped spline, spans of a periodic one. */
-export function limitMask(count: number, ends: Ends): Mask {
+export const limitMask = cached((count, ends) => {
   enough(count, ends);
   if (ends === 'periodic') return rounds(count, (k) => at(k - 1, 1 / 6, 2 / 3, 1 / 6));
   return mirrored(count - 2, count, (k) => {
@@ -43,10 +43,10 @@ export function limitMask(count: number, ends: Ends): Mask {
     if (count === 5) return at(1, 1 / 4, 1 / 2, 1 / 4);
     return k === 1 ? at(1, 1 / 4, 7 / 12, 1 / 6) : at(k, 1 / 6, 2 / 3, 1 / 6);
   });
-}
+});
 
 /** Derivatives there, per span. */
-export function slopeMask(count: number, ends: Ends): Mask {
+export const slopeMask = cached((count, ends) => {
   enough(count, ends);
   if (ends === 'periodic') return rounds(count, (k) => at(k - 1, -1 / 2, 0, 1 / 2));
   const slope = (k: number): Stencil => {
@@ -55,7 +55,22 @@ export function slopeMask(count: number, ends: Ends): Mask {
     return k === 1 ? at(1, -3 / 4, 1 / 4, 1 / 2) : at(k, -1 / 2, 0, 1 / 2);
   };
   return mirrored(count - 2, count, slope, -1);
+});
+
+/** A mask depends on two numbers alone, and patches ask for a few of them again and again. */
+function cached(make: (count: number, ends: Ends) => Mask): (count: number, ends: Ends) => Mask {
+  const known = { clamped: new Map<number, Mask>(), periodic: new Map<number, Mask>() };
+  return (count, ends) => {
+    const masks = known[ends];
+    const mask = masks.get(count) ?? make(count, ends);
+    if (masks.size >= MOST_MASKS) masks.clear();
+    masks.set(count, mask);
+    return mask;
+  };
 }
+
+/** kept of each kind */
+const MOST_MASKS = 64;
 
 function clampedSubdivision(j: number, count: number): Stencil {
   if (j === 0) return at(0, 1);

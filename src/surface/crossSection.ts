@@ -143,7 +143,9 @@ export function domeRows(
 }
 
 export function flipped(row: SheetRow): SheetRow {
-  return { ...row, normals: row.normals.map((x) => -x), flipped: true };
+  const normals = new Float64Array(row.normals.length);
+  for (let k = 0; k < normals.length; k++) normals[k] = -row.normals[k]!;
+  return { ...row, normals, flipped: true };
 }
 
 /** A closed pair, or stroke, ends in the points of its first row. */

@@ -6,14 +6,17 @@
  * place stay in one place to the last bit: where the two legs disagree, half way between.
  */
 import type { Plane } from '../math/plane.ts';
-import type { Vec3 } from '../math/vec.ts';
 import type { Curve } from '../stroke/curve.ts';
-import { type Axis, bendAxis } from './bendAxis.ts';
-import { type Bending, moveAt, moveStation, normalMove, pointMove } from './bendMap.ts';
+import type { Axis } from './axis.ts';
+import { bendAxis } from './bendAxis.ts';
+import { type Bending, moveAt } from './bendMap.ts';
 import { type BendPath, bendPath } from './bendPath.ts';
+import { bentRow } from './bentRow.ts';
 import { creased, SAME } from './creased.ts';
+import { kept } from './keptSpine.ts';
 import { mitres } from './mitres.ts';
-import type { RowAt, Sheet, SheetRow, Spine, Station } from './sheet.ts';
+import { moveStation } from './movedStation.ts';
+import type { RowAt, Sheet, SheetRow, Spine } from './sheet.ts';
 import { sideView } from './sideView.ts';
 
 export interface BendInput {
@@ -43,26 +46,15 @@ export function deform(sheet: Sheet, { curve, plane, keepsLength }: BendInput): 
   const view = sideView(plane);
   const smooth = { view, axis, path, breaks: merged(axis.breaks, corners) };
   const bending: Bending = { ...smooth, slide: mitres(smooth, corners, rows, sheet.spine.closed) };
-  const bent = rows.map((row) => bentRow(row, sheet.spine, bending));
-  return { ...sheet, rows: together(bent, rows), spine: bentSpine(sheet.spine, bending) };
+  const spine = kept(sheet.spine);
+  const moved = rows.map((row) => bent(row, spine, bending));
+  return { ...sheet, rows: together(moved, rows), spine: bentSpine(spine, bending) };
 }
 
-function bentRow(row: SheetRow, spine: Spine, bending: Bending): SheetRow {
+function bent(row: SheetRow, spine: Spine, bending: Bending): SheetRow {
   const { u, rigid } = row.at;
   const inward = insideOf(spine, row.at);
-  const move = moveAt(bending, u, inward);
-  const movePoint = pointMove(move, bending.view);
-  const moveNormal = normalMove(move, bending.view, rigid ? null : spine.at(u, inward));
-  const points = new Float64Array(row.points.length);
-  const normals = new Float64Array(row.points.length);
-  for (let k = 0; k < points.length; k += 3) {
-    const p: Vec3 = [row.points[k]!, row.points[k + 1]!, row.points[k + 2]!];
-    const n: Vec3 = [row.normals[k]!, row.normals[k + 1]!, row.normals[k + 2]!];
-    // a pole stays one point to the last bit
-    points.set(row.pole && k > 0 ? points.subarray(0, 3) : movePoint(p), k);
-    normals.set(moveNormal(p, n), k);
-  }
-  return { ...row, points, normals };
+  return bentRow(row, moveAt(bending, u, inward), bending.view, rigid ? null : spine.at(u, inward));
 }
 
 /** At the ends of the spine there is but one side. */
@@ -71,20 +63,14 @@ function insideOf({ stops }: Spine, { u, side }: RowAt): -1 | 1 {
   return u >= stops[stops.length - 1]! ? -1 : side;
 }
 
-/** Stations are kept: each bend asks for places that the next one asks for again, which multiplies from bend to bend (four: 559 ms, kept 131). */
 function bentSpine(spine: Spine, bending: Bending): Spine {
   const first = spine.stops[0]!;
   const last = spine.stops[spine.stops.length - 1]!;
-  const known = [new Map<number, Station>(), new Map<number, Station>()] as const;
   const at: Spine['at'] = (u, side) => {
     const inward = u <= first ? 1 : u >= last ? -1 : side;
-    const stations = known[inward === 1 ? 1 : 0];
-    const found =
-      stations.get(u) ?? moveStation(moveAt(bending, u, inward), bending.view, spine.at(u, inward));
-    stations.set(u, found);
-    return found;
+    return moveStation(moveAt(bending, u, inward), bending.view, spine.at(u, inward));
   };
-  return { closed: spine.closed, stops: bending.breaks, at };
+  return kept({ closed: spine.closed, stops: bending.breaks, at });
 }
 
 /** Rows whose points were the same stay so: half way between the first and the last of them. */
@@ -98,6 +84,7 @@ function together(bent: readonly SheetRow[], before: readonly SheetRow[]): Sheet
   if (runs.length > 1 && inOnePlace(before[0]!, before[before.length - 1]!)) runs[0]!.unshift(...runs.pop()!);
   const out = [...bent];
   for (const run of runs) {
+    if (run.length === 1) continue;
     const [a, b] = [bent[run[0]!]!.points, bent[run[run.length - 1]!]!.points];
     const points = a.map((x, k) => (x === b[k] ? x : 0.5 * (x + b[k]!)));
     for (const i of run) out[i] = { ...bent[i]!, points };
@@ -106,7 +93,10 @@ function together(bent: readonly SheetRow[], before: readonly SheetRow[]): Sheet
 }
 
 function inOnePlace({ points: a }: SheetRow, { points: b }: SheetRow): boolean {
-  return a === b || (a.length === b.length && a.every((x, i) => x === b[i]));
+  if (a === b) return true;
+  if (a.length !== b.length) return false;
+  for (let k = 0; k < a.length; k++) if (a[k] !== b[k]) return false;
+  return true;
 }
 
 /** Ascending u at which the way meets a corner of d, more than one for each where it turns back. */

@@ -39,9 +39,11 @@ export function gathered(
   shared: boolean,
 ): Float64Array {
   const out = new Float64Array(3 * entries.length);
-  entries.forEach(({ piece, column }, j) => {
-    out.set(pieces[piece]!.subarray(3 * column, 3 * column + 3), 3 * j);
-  });
+  for (let j = 0; j < entries.length; j++) {
+    const { piece, column } = entries[j]!;
+    const row = pieces[piece]!;
+    for (let i = 0; i < 3; i++) out[3 * j + i] = row[3 * column + i]!;
+  }
   if (!shared) return out;
   entries.forEach(({ joined }, j) => {
     if (j > 0 && !joined) out.copyWithin(3 * j, 3 * j - 3, 3 * j);

@@ -29,15 +29,18 @@ export function masked(net: Net, direction: Direction, mask: Mask): Net {
   const step = along ? 3 * net.columns : 3;
   const blocks = along ? 1 : net.rows;
   const points = new Float64Array(blocks * mask.length * step);
+  const given = net.points;
   for (let block = 0; block < blocks; block++) {
     const from = block * count * step;
-    mask.forEach((stencil, j) => {
+    for (let j = 0; j < mask.length; j++) {
+      const { from: first, weights } = mask[j]!;
       const to = (block * mask.length + j) * step;
-      stencil.weights.forEach((weight, k) => {
-        const source = from + ((stencil.from + k + count) % count) * step;
-        for (let i = 0; i < step; i++) points[to + i]! += weight * net.points[source + i]!;
-      });
-    });
+      for (let k = 0; k < weights.length; k++) {
+        const weight = weights[k]!;
+        const source = from + ((first + k + count) % count) * step;
+        for (let i = 0; i < step; i++) points[to + i]! += weight * given[source + i]!;
+      }
+    }
   }
   return along
     ? { rows: mask.length, columns: net.columns, points }

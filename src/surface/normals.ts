@@ -2,7 +2,7 @@
  * Unit normals S_u × S_v of a net of points and derivatives. In a point of the surface where a whole row meets (a tip) S_v vanishes;
  * there it is S_v = ± S_uv du, and where that is nothing too, the normal of the row next to it.
  */
-import { cross3, length3 } from '../math/tuple.ts';
+import { length3 } from '../math/tuple.ts';
 import type { Vec3 } from '../math/vec.ts';
 import type { Limit } from './net.ts';
 
@@ -34,18 +34,23 @@ function rowNormals({ du, dv, duv }: Limit, row: number, tip: -1 | 0 | 1): Float
   const [along, across] = [cut(du), tip === 0 ? cut(dv) : cut(duv)];
   const least = NOTHING * longest(along) * longest(across);
   const out = new Float64Array(width);
+  const sign = tip === 0 ? 1 : tip;
   for (let k = 0; k < width; k += 3) {
-    const n = cross3(at(along, k), at(across, k));
-    const size = length3(n);
-    const sign = tip === 0 ? 1 : tip;
-    if (size > least) out.set([(sign * n[0]) / size, (sign * n[1]) / size, (sign * n[2]) / size], k);
+    const [ax, ay, az] = [along[k]!, along[k + 1]!, along[k + 2]!];
+    const [bx, by, bz] = [across[k]!, across[k + 1]!, across[k + 2]!];
+    const [x, y, z] = [ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx];
+    const size = Math.sqrt(x * x + y * y + z * z);
+    if (!(size > least)) continue;
+    out[k] = (sign * x) / size;
+    out[k + 1] = (sign * y) / size;
+    out[k + 2] = (sign * z) / size;
   }
   return out;
 }
 
 function fill(row: Float64Array, inner: Float64Array | undefined): void {
   for (let k = 0; k < row.length; k += 3) {
-    if (length3(at(row, k)) > 0) continue;
+    if (row[k] !== 0 || row[k + 1] !== 0 || row[k + 2] !== 0) continue;
     const wished = inner && length3(at(inner, k)) > 0 ? at(inner, k) : ([0, 0, 1] as const);
     row.set(wished, k);
   }
@@ -53,8 +58,11 @@ function fill(row: Float64Array, inner: Float64Array | undefined): void {
 
 function longest(vectors: Float64Array): number {
   let most = 0;
-  for (let k = 0; k < vectors.length; k += 3) most = Math.max(most, length3(at(vectors, k)));
-  return most;
+  for (let k = 0; k < vectors.length; k += 3) {
+    const [x, y, z] = [vectors[k]!, vectors[k + 1]!, vectors[k + 2]!];
+    most = Math.max(most, x * x + y * y + z * z);
+  }
+  return Math.sqrt(most);
 }
 
 function at(vectors: Float64Array, k: number): Vec3 {

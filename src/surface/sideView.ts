@@ -4,6 +4,8 @@ import { add3, cross3, dot3, scale3, sub3 } from '../math/tuple.ts';
 import type { Vec2, Vec3 } from '../math/vec.ts';
 
 export interface Side2 {
+  /** where its coordinates begin, and their directions */
+  readonly axes: { readonly origin: Vec3; readonly x: Vec3; readonly y: Vec3; readonly z: Vec3 };
   /** of a place, mm */
   point(p: Vec3): Vec2;
   /** of a direction, along the plane alone */
@@ -18,6 +20,7 @@ export function sideView({ origin, x, y }: Plane): Side2 {
   const z = cross3(x, y);
   const flat = (v: Vec3): Vec2 => [dot3(v, x), dot3(v, y)];
   return {
+    axes: { origin, x, y, z },
     point: (p) => flat(sub3(p, origin)),
     flat,
     into: (v) => [dot3(v, x), dot3(v, y), dot3(v, z)],

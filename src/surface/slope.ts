@@ -16,6 +16,8 @@ export function slope(
   const step = Math.min(STEP, (to - from) / 4);
   if (!(step > 0)) return 0;
   const first = Math.min(Math.max(u - 2 * step, from), to - 4 * step);
+  if (first === u - 2 * step)
+    return central(f, [first, first + step, first + 3 * step, Math.min(first + 4 * step, to)], step, period);
   const centre = f(u, side);
   const values = PLACES.map((i) => {
     const value = f(i === 4 ? Math.min(first + 4 * step, to) : first + i * step, i === 4 ? -1 : 1) - centre;
@@ -23,6 +25,21 @@ export function slope(
   });
   const x = (u - first) / step;
   return PLACES.reduce<number>((sum, i) => sum + values[i]! * weight(i, x), 0) / step;
+}
+
+/** (f(−2) − 8 f(−1) + 8 f(1) − f(2))/12 for each step: with u in the middle of the places its own value has no weight. */
+function central(
+  f: (u: number, side: -1 | 1) => number,
+  [a, b, c, d]: readonly [number, number, number, number],
+  step: number,
+  period: number,
+): number {
+  const base = f(b, 1);
+  const from = (u: number, side: -1 | 1): number => {
+    const away = f(u, side) - base;
+    return period < Infinity ? away - period * Math.round(away / period) : away;
+  };
+  return (from(a, 1) + 8 * from(c, 1) - from(d, -1)) / (12 * step);
 }
 
 /** The derivative at x of the quartic that is 1 at place i and 0 at the others. */

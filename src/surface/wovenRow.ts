@@ -2,9 +2,8 @@
  * One row across a surface of mixed sections. A stand maps outlines linearly into space, so mixing and placing may as well be done
  * to the control points of outlines as to their points; derivatives along u follow by the product rule.
  */
-import type { Vec3 } from '../math/vec.ts';
 import type { Mix, Share } from './between.ts';
-import { type Axes, placingAt } from './placing.ts';
+import { placingAt } from './placing.ts';
 import type { Source } from './source.ts';
 
 /** A row, x y z, and its derivative by u. */
@@ -27,33 +26,33 @@ export function rowAt(
   const shares = mix(u, side);
   const { axes, rates } = placingAt(source, u, side);
   const form = blended(forms, shares, 'weight');
-  const isPoint = kind === 'points';
-  const moved = onStand(rates, form, isPoint);
-  const changed = onStand(axes, blended(forms, shares, 'rate'), false);
-  return { at: onStand(axes, form, isPoint), rate: moved.map((x, i) => x + changed[i]!) };
+  const change = blended(forms, shares, 'rate');
+  const isPoint = kind === 'points' ? 1 : 0;
+  const at = new Float64Array((form.length / 2) * 3);
+  const rate = new Float64Array(at.length);
+  for (let k = 0; k < 3; k++) {
+    const [from, half, depth] = [isPoint * axes.centre[k]!, axes.half[k]!, axes.depth[k]!];
+    const [dFrom, dHalf, dDepth] = [isPoint * rates.centre[k]!, rates.half[k]!, rates.depth[k]!];
+    for (let j = 0; 2 * j < form.length; j++) {
+      const [x, y] = [form[2 * j]!, form[2 * j + 1]!];
+      at[3 * j + k] = from + x * half + y * depth;
+      rate[3 * j + k] = dFrom + x * dHalf + y * dDepth + (change[2 * j]! * half + change[2 * j + 1]! * depth);
+    }
+  }
+  return { at, rate };
 }
 
 function blended(
   forms: readonly (readonly number[])[],
   shares: readonly Share[],
   by: 'weight' | 'rate',
-): number[] {
-  const out = new Array<number>(forms[0]!.length).fill(0);
+): Float64Array {
+  const out = new Float64Array(forms[0]!.length);
   for (const share of shares) {
     const factor = share[by];
     if (factor === 0) continue;
     const form = forms[share.section]!;
     for (let i = 0; i < out.length; i++) out[i]! += factor * form[i]!;
-  }
-  return out;
-}
-
-function onStand({ centre, half, depth }: Axes, form: readonly number[], isPoint: boolean): Float64Array {
-  const out = new Float64Array((form.length / 2) * 3);
-  const from: Vec3 = isPoint ? centre : [0, 0, 0];
-  for (let j = 0; 2 * j < form.length; j++) {
-    const [x, y] = [form[2 * j]!, form[2 * j + 1]!];
-    for (let k = 0; k < 3; k++) out[3 * j + k] = from[k]! + x * half[k]! + y * depth[k]!;
   }
   return out;
 }

@@ -1,6 +1,6 @@
 /**
- * Surfaces from strokes on one thread, by the processor's time: each kind built anew at two resolutions, straight and bent, and what a
- * frame of dragging takes of a document with 100 parts when one of them follows the pen.
+ * Surfaces from strokes on one thread, by the processor's time: each kind built anew at two resolutions, straight and bent; one bend and
+ * the last of three that follow the pen; and what a frame of dragging takes of a document with 100 parts when one of them follows the pen.
  */
 import { readFileSync } from 'node:fs';
 import { solids } from '../../src/document/build.ts';
@@ -9,10 +9,11 @@ import { curveOfStroke } from '../../src/document/curves.ts';
 import { DEFAULT_BRUSH, type Document, isSurface, type SurfacePart } from '../../src/document/document.ts';
 import { outlinesOf } from '../../src/document/outlines.ts';
 import { parse } from '../../src/document/serialize.ts';
+import { sheetOf } from '../../src/document/sheets.ts';
 import { PI, sincos } from '../../src/math/trig.ts';
 import { facingPlane } from '../../src/stroke/plane.ts';
 import type { Stroke } from '../../src/stroke/stroke.ts';
-import { buildSurface, type SurfaceKind } from '../../src/surface/index.ts';
+import { buildSurface, type SurfaceKind, sheetMesh } from '../../src/surface/index.ts';
 import { within } from '../../src/surface/sideView.ts';
 import { processorTime, rounded } from './timing.ts';
 
@@ -70,23 +71,53 @@ function builder(kind: SurfaceKind, side: number, bent: boolean): () => unknown 
   return () => buildSurface(kind, input, plane, options);
 }
 
-for (const kind of KINDS) processorTime(builder(kind, 64, true), 20);
+/** Of curves that nothing is known of yet. */
+function anew(kind: SurfaceKind, side: number, bent: boolean, rounds: number): number {
+  return Math.min(...Array.from({ length: rounds }, () => processorTime(builder(kind, side, bent), 1)));
+}
+
+for (const kind of KINDS) anew(kind, 64, true, 20);
 console.log(
   'Surfaces built anew from filtered strokes, ms; and how often a rotational surface is built meanwhile',
 );
-const whole = SIDES.map((side) => processorTime(builder('rotational', side, false), 20));
+const whole = SIDES.map((side) => anew('rotational', side, false, 20));
 console.table(
   KINDS.flatMap((kind) =>
     [false, true].map((bent) => ({
       kind: bent ? `${kind}, bent` : kind,
       ...Object.fromEntries(
         SIDES.flatMap((side, i) => {
-          const ms = processorTime(builder(kind, side, bent), 12);
+          const ms = anew(kind, side, bent, 12);
           return [
             [`${side} × ${side}`, ms],
             [`ratio, ${side}`, rounded(ms / whole[i]!, 2)],
           ];
         }),
+      ),
+    })),
+  ),
+);
+
+/** A frame in which the last of `bends` follows the pen: the sheet and its mesh. */
+function following(kind: SurfaceKind, side: number, bends: number): () => unknown {
+  const part = formOf(kind, read());
+  const kept = Array.from({ length: bends - 1 }, (_, i) => bendOf(leaning(part.strokes[0]!, i)));
+  let by = 0;
+  return () => {
+    const last = bendOf(leaning(part.strokes[0]!, 0.01 * ++by));
+    const form = { ...part, bends: [...kept, last] };
+    return sheetMesh(sheetOf(kind, form, brush, { u: side, v: side }), part.strokes[0]!.plane);
+  };
+}
+
+console.log('A bend that follows the pen, from its filtered stroke to the mesh, ms');
+console.table(
+  KINDS.flatMap((kind) =>
+    [1, 3].map((bends) => ({
+      kind,
+      bends,
+      ...Object.fromEntries(
+        SIDES.map((side) => [`${side} × ${side}`, processorTime(following(kind, side, bends), 12)]),
       ),
     })),
   ),

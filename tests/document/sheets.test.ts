@@ -31,4 +31,16 @@ describe('sheets are found again', () => {
     expect(sheet({}, { ...DEFAULT_BRUSH, levels: DEFAULT_BRUSH.levels + 1 })).not.toBe(first);
     expect(sheet()!.rows).toEqual(first.rows);
   });
+
+  it('below the bend of a stack that is drawn, and where one above is taken away', () => {
+    const drawn = (by: number) => ({
+      ...bend,
+      stroke: strokeAlong((t) => [by * t * t, 30 - 60 * t], { plane: bend.stroke.plane }),
+    });
+    const below = sheet();
+    const frames = [1, 2, 3].map((by) => sheet({ bends: [bend, drawn(by)] })!);
+    expect(new Set(frames).size).toBe(3);
+    expect(sheet({ bends: [bend] })).toBe(below);
+    expect(sheet({ bends: [bend, { ...drawn(4), isOff: true }] })).toBe(below);
+  });
 });

@@ -20,11 +20,11 @@ const bend = (x: Plane['x']): BendInput => ({
 });
 const STACK = [bend([0, 0, -1]), bend([-1, 0, 0]), bend([0, 0, -1]), bend([-1, 0, 0])];
 
-/** How often the sheet's own spine is asked. */
-function asked(bends: readonly BendInput[]): number {
+/** The sheet, and how often its own spine was asked. */
+function counted(): { readonly sheet: Sheet; readonly asked: () => number } {
   let count = 0;
   const { spine } = sheet;
-  const counted: Sheet = {
+  const whole: Sheet = {
     ...sheet,
     spine: {
       ...spine,
@@ -34,12 +34,32 @@ function asked(bends: readonly BendInput[]): number {
       },
     },
   };
-  bends.reduce(deform, counted);
-  return count;
+  return { sheet: whole, asked: () => count };
+}
+
+function asked(bends: readonly BendInput[]): number {
+  const { sheet: own, asked } = counted();
+  bends.reduce(deform, own);
+  return asked();
 }
 
 test('what bends ask does not multiply with their number', () => {
   const one = asked(STACK.slice(0, 1));
   expect(asked(STACK.slice(0, 2))).toBeLessThan(6 * one);
   expect(asked(STACK)).toBeLessThan(12 * one);
+});
+
+test('another frame of a drag asks the spine for nothing it was asked for before', () => {
+  const { sheet: own, asked } = counted();
+  const drawn = (by: number): BendInput => ({
+    ...STACK[0]!,
+    // the view is the same, not the object
+    plane: { ...STACK[0]!.plane },
+    curve: functionCurve((t) => [12 * Math.sin(5 * t) + by * t, 100 * t], false),
+  });
+  deform(own, drawn(0));
+  const first = asked();
+  expect(first).toBeGreaterThan(own.rows.length);
+  for (const by of [1, 2, 3]) deform(own, drawn(by));
+  expect(asked()).toBe(first);
 });
