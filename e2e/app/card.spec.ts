@@ -133,3 +133,47 @@ test('the radius of a tube is drawn', async ({ page }) => {
     await page.evaluate(() => document.querySelector('rotund-sketch')!.session.document.brush.radius),
   ).toBe(before);
 });
+
+test('what a surface can become fits phones, names beside each other', async ({ page }) => {
+  await open(page);
+  await page.getByRole('button', { name: 'Close' }).click();
+  for (const width of [390, 320]) {
+    await page.setViewportSize({ width, height: 700 });
+    const off = () =>
+      page.evaluate(() => {
+        const root = document.querySelector('rotund-sketch')!.shadowRoot!;
+        const bar = root.querySelector('.acts')!.getBoundingClientRect();
+        const names = [...root.querySelectorAll('.acts .name')]
+          .map((name) => name.getBoundingClientRect())
+          .filter((box) => box.width > 0);
+        return names.filter(
+          ({ left, right }, i) =>
+            left < bar.left || right > bar.right || (i > 0 && left < names[i - 1]!.right + 2),
+        ).length;
+      });
+    await expect.poll(off).toBe(0);
+    for (const name of ['Bend', 'Redraw'])
+      await expect(page.getByRole('button', { name, exact: true }).filter({ visible: true })).toHaveCount(1);
+  }
+});
+
+test('no handle lies in the way while a radius is drawn', async ({ page }) => {
+  await open(page);
+  await expect(page.locator('.gizmo')).toHaveCount(1);
+  await page.evaluate(() => {
+    const { session } = document.querySelector('rotund-sketch')!;
+    const [form] = session.document.parts;
+    if (!form || !('brush' in form)) throw new Error('no surface');
+    session.setTool('draw');
+    session.run({ type: 'addStroke', stroke: form.strokes[0]! });
+    session.keep();
+    session.setTool('select');
+    session.select([session.document.parts.at(-1)!.id]);
+  });
+  await expect(page.locator('.gizmo')).toHaveCount(1);
+  await page.getByRole('button', { name: 'Draw it' }).click();
+  await expect(page.locator('.gizmo')).toHaveCount(0);
+  await page.locator('rotund-sketch .stage').focus();
+  await page.keyboard.press('Escape');
+  await expect(page.locator('.gizmo')).toHaveCount(1);
+});

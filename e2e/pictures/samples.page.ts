@@ -39,7 +39,15 @@ window.drawFile = async ({ text, look, view, size, pixelRatio }) => {
   for (const { node } of bodiesOf(drawing.document)) makeBody(node);
   const [width, height] = size;
   scene.resize(width, height, pixelRatio);
-  scene.sync(solids(drawing.document).map(({ id, mesh, colour }) => ({ id, mesh, colour, preview: false })));
+  scene.sync(
+    solids(drawing.document).map(({ id, mesh, colour, finish }) => ({
+      id,
+      mesh,
+      colour,
+      finish,
+      preview: false,
+    })),
+  );
   scene.setLook({ ...drawing.look, ...look });
   scene.rig.setView({ ...drawing.view, ...view }, false);
   const copy = document.createElement('canvas');

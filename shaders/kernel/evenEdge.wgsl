@@ -1,6 +1,6 @@
 #import kernel/evenMoments
 
-// Polygon edges for q^(−n/2), q = m + ρ², n = 4 and 6 (FIELD-NOTES §3): the polygon is P_n/(n − 2), along z −z P_(n+2),
+// Polygon edges for q^(−n/2), q = m + ρ², n = 4 and 6 (as in powerEdge.ts): the polygon is P_n/(n − 2), along z −z P_(n+2),
 // with P_2 = 0 and P_(n+2) = (P_n + d ∫ q^(−n/2))/m.
 
 fn even_edge(f: EdgeFrame, m: f32, n: f32) -> vec3f {

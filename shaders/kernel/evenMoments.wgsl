@@ -1,7 +1,7 @@
 #import kernel/moments
 #import lib/atan
 
-// Moments J_0…J_3 of q^(−m), m = 1, 2, 3, 4 (FIELD-NOTES §2; m = 4 by the same recurrences).
+// Moments J_0…J_3 of q^(−m), m = 1, 2, 3, 4: one arc tangent, then by parts upwards in m.
 // Beyond an end the recurrence cancels; there J_0 = m2^(½−m) ∫ sin^(2m−2) between the angles at which the ends are seen.
 
 fn even_1(e: Ends) -> vec4f {

@@ -34,7 +34,7 @@ fn weight_at(f: LineFrame, t: f32) -> f32 {
 }
 
 // Squared distance from the line such that no point of the segment is nearer than the floor. 2⁻²⁰ of the length is about
-// how well the axis is known, and keeps r⁻⁷ a float32 (FIELD-NOTES §2: without it 0/0 on the axis beyond an end).
+// how well the axis is known, and keeps r⁻⁷ a float32 (without it 0/0 on the axis beyond an end).
 fn floored(f: LineFrame) -> f32 {
   let out = max(max(f.alpha, -f.beta), 0.0);
   let unknown = 9.5367431640625e-7 * f.length;

@@ -4,7 +4,7 @@
 #import table/gauss
 
 // f = exp(−r²), r in units of 1/s. WGSL has no erf and its difference cancels beyond the ends: Gauss points where the
-// integrand is above e^−17.5 of its largest value (FIELD-NOTES §2–3).
+// integrand is above e^−17.5 of its largest value.
 
 fn gaussian_value(r2: f32, exponent: f32) -> vec2f {
   let f = exp(-r2);

@@ -1,7 +1,7 @@
 #import kernel/oddMoments
 #import kernel/oddEdge
 
-// f = 1/r. Finite on a plate, logarithmic on a line (FIELD-NOTES §2).
+// f = 1/r. Finite on a plate, logarithmic on a line.
 
 fn inverse_value(r2: f32, exponent: f32) -> vec2f {
   return inverse_power_value(r2, 1.0);

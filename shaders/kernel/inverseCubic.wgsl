@@ -1,7 +1,7 @@
 #import kernel/oddMoments
 #import kernel/oddEdge
 
-// f = 1/r³; over a polygon its solid angle by the height (FIELD-NOTES §2–3).
+// f = 1/r³; over a polygon its solid angle by the height.
 
 fn inverse_cubic_value(r2: f32, exponent: f32) -> vec2f {
   return inverse_power_value(r2, 3.0);

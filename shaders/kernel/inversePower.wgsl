@@ -29,7 +29,7 @@ fn inverse_power_node(f: LineFrame, m2: f32, n: f32, t: f32, share: f32) -> vec3
   return vec3f(v, -2.0 * tau * v.y);
 }
 
-// The Taylor shift to the foot cancels far away; there the integrand is nearly flat (FIELD-NOTES §2, far branch), for
+// The Taylor shift to the foot cancels far away; there the integrand is nearly flat, for
 // higher degrees already nearer.
 fn is_far(f: LineFrame, m2: f32) -> bool {
   let lengths = select(3.0, 2.0, f.degree > 1u);

@@ -1,7 +1,7 @@
 #import kernel/oddMoments
 #import kernel/oddEdge
 
-// f = 1/r⁵ (FIELD-NOTES §2–3).
+// f = 1/r⁵; over a polygon from the solid angle by recurrence (oddEdge.wgsl).
 
 fn inverse_quintic_value(r2: f32, exponent: f32) -> vec2f {
   return inverse_power_value(r2, 5.0);

@@ -1,7 +1,7 @@
 #import kernel/evenMoments
 #import kernel/powerEdge
 
-// f = 1/r² (FIELD-NOTES §2); over a polygon a dilogarithm, hence quadrature.
+// f = 1/r²; over a polygon a dilogarithm, hence quadrature.
 
 fn inverse_squared_value(r2: f32, exponent: f32) -> vec2f {
   return inverse_power_value(r2, 2.0);

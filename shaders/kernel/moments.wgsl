@@ -44,7 +44,7 @@ fn shifted(f: LineFrame) -> vec4f {
   );
 }
 
-// (∫ w f, ∫ w df/dr², ∂ along u) from the moments of f and of df/dr² (FIELD-NOTES §2)
+// (∫ w f, ∫ w df/dr², ∂ along u) from the moments of f and of df/dr², by parts along u
 fn from_moments(f: LineFrame, e: Ends, n: f32, values: vec4f, slopes: vec4f) -> vec3f {
   let c = shifted(f);
   let fa = inverse_power(1.0 / e.ia, n);

@@ -2,7 +2,7 @@
 #import lib/atan
 
 // Polygon edges for q^(−n/2), n = 1, 3, 5, q = m + ρ²: m = z² for 1/r, 1/r³, 1/r⁵ and 1 + z² for the power family
-// (FIELD-NOTES §3; n = 1 by G = √(m + ρ²) − √m, whose edge integral is d J_0[1] − m Q_1).
+// (powerEdge.ts; n = 1 by G = √(m + ρ²) − √m, whose edge integral is d J_0[1] − m Q_1).
 
 struct OddEdge {
   // ∫ q^(−n/2) along the edge

@@ -1,6 +1,6 @@
 #import kernel/moments
 
-// Moments J_0…J_3 of q^(−n/2), n = 1, 3, 5, 7 (FIELD-NOTES §2, sqrt family).
+// Moments J_0…J_3 of q^(−n/2), n = 1, 3, 5, 7, as in oddMoments.ts.
 
 // ((ra + rb)² − length²)/2 without the difference
 fn ellipse(e: Ends) -> f32 {

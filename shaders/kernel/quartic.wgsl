@@ -2,8 +2,8 @@
 #import lib/atan
 #import table/gauss
 
-// f = (1 − r²)², 0 beyond r = 1, r in units of R. Gauss on the clipped line is exact (FIELD-NOTES §2); polygons by signed
-// angles instead of clipping lists (§3; Zhu (12) gives the same numbers).
+// f = (1 − r²)², 0 beyond r = 1, r in units of R. Gauss on the clipped line is exact (degree 7); polygons by signed
+// angles instead of clipping lists (Zhu (12) gives the same numbers).
 
 fn quartic_value(r2: f32, exponent: f32) -> vec2f {
   let q = max(1.0 - r2, 0.0);

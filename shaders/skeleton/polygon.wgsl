@@ -3,7 +3,7 @@
 #import record/edge
 #import skeleton/plateFloor
 
-// value and gradient: a sum over the edges of all loops (Zhu §3.2; FIELD-NOTES §3), in the polygon's plane
+// value and gradient: a sum over the edges of all loops (Green, as Zhu et al. 2011 §3.3), in the polygon's plane
 fn polygon_field(kernel: u32, at: u32, p: vec3f) -> vec4f {
   let skel = load_polygon(at);
   let q = (p - skel.origin) * skel.scale;

@@ -3,7 +3,7 @@
 #import distance
 
 // value and gradient. The perpendicular is taken from the nearer end and made perpendicular twice: d² − h² would lose all
-// its digits beyond an end (FIELD-NOTES §2: 9e-2 against 1e-6).
+// its digits beyond an end (9e-2 against 1e-6).
 fn segment_field(kernel: u32, at: u32, p: vec3f) -> vec4f {
   let skel = load_segment(at);
   let from_a = (p - skel.a) * skel.scale;

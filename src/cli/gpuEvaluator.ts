@@ -24,7 +24,7 @@ export function gpuEvaluator(open: OpenGpu): Evaluator {
   };
 }
 
-/** What FIELD-NOTES measured in float32; of singular kernels the axis is only known to 1e-7 of the length. */
+/** What float32 leaves, by 20,000 places a kernel; of singular kernels the axis is only known to 1e-7 of the length. */
 function tolerance({ skel, kernel, p }: VectorCase): Scale {
   if (skel.type !== 'segment' || kernel.homogeneity === 0) return { value: 2e-6, gradient: 1e-5 };
   const { a, b } = skel;

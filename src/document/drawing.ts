@@ -6,7 +6,7 @@ import type { View } from '../stroke/stroke.ts';
 import { type Document, EMPTY_DOCUMENT } from './document.ts';
 import { DEFAULT_LOOK, type Look } from './look.ts';
 
-/** DESIGN: 200 mm high, orthographic, seen from the front. */
+/** Of a new drawing: 200 mm high, orthographic, seen from the front. */
 export const FRONT_VIEW: View = { pivot: [0, 0, 0], rotation: [0, 0, 0, 1], height: 200, fov: 0 };
 
 export interface Drawing {

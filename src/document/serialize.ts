@@ -16,7 +16,6 @@ import {
   isBody,
   isSolid,
   isSurface,
-  readingOf,
 } from './document.ts';
 import type { Drawing } from './drawing.ts';
 import { FRONT_VIEW } from './drawing.ts';
@@ -142,9 +141,11 @@ export function serializeScript(commands: readonly Command[], drawing: Drawing):
   });
 }
 
-/** The lowest that holds what there is. */
+/** The lowest that holds what there is, and that is read as it is. */
 const versionOf = (document: Document): Version =>
-  readingOf(document) === 'solid' ? (Math.max(SOLIDS, neededFor(document)) as Version) : neededFor(document);
+  documentThen(document, 1) === document
+    ? neededFor(document)
+    : (Math.max(SOLIDS, neededFor(document)) as Version);
 
 /** The lowest that knows the fields there are. Earlier ones read closed strokes otherwise (earlier.ts). */
 function neededFor(document: Document): Version {

@@ -78,7 +78,7 @@ export interface Component {
   readonly groups: readonly Group[];
 }
 
-/** DESIGN: fits within .8 %, and its width does not show far off (docs/silhouettes.md) */
+/** Fits within .8 %, and its width does not show far off (docs/silhouettes.md) */
 export const DEFAULT_COMPONENT = { kernel: 'cauchy', threshold: 0.5 } as const;
 
 export const groupsOf = ({ components }: Pick<SolidPart, 'components'>): readonly Group[] =>

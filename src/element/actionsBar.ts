@@ -35,6 +35,7 @@ export function actionsBar(session: Session, actions: Actions): TemplateResult |
   return html`<div class="acts card chrome ${docked ? 'docked' : ''}" part="actions" role="toolbar" aria-label=${nameOf(document, selection)}>
     ${iconButton(null, PART_WORDS.colour, () => actions.toggle('palette'), {
       expanded: actions.open === 'palette',
+      class: surface ? 'elsewhere least' : '',
       body: html`<span class="swatch">${ball('toon', chosenColour(session) ?? CLAY)}</span>`,
     })}
     ${surface ? nothing : iconButton(hidden ? 'eye' : 'eyeOff', hidden ? action.show : action.hide, () => hideSelection(session), { key: 'H', class: 'elsewhere least' })}
@@ -54,9 +55,10 @@ function bendable({ document, selection }: Session): SurfacePart | null {
   return part && others.length === 0 && !part.hidden && isSurface(part) ? part : null;
 }
 
+/** Phones have no room for what is right below them, among the tools. */
 const edits = (session: Session, id: string): TemplateResult =>
-  html`${iconButton('bend', EDIT_WORDS.bend, () => startBend(session), { key: EDIT_WORDS.bendKey })}
-    ${iconButton('redraw', EDIT_WORDS.redraw, () => startRedraw(session), { key: EDIT_WORDS.redrawKey })}
+  html`${iconButton('bend', EDIT_WORDS.bend, () => startBend(session), { key: EDIT_WORDS.bendKey, class: 'railed' })}
+    ${iconButton('redraw', EDIT_WORDS.redraw, () => startRedraw(session), { key: EDIT_WORDS.redrawKey, class: 'railed' })}
     ${iconButton('recreate', EDIT_WORDS.recreate, () => recreatePart(session, id), { hint: EDIT_WORDS.recreateHint })}`;
 
 /** Where the mirror stands is told by their tooltips. */

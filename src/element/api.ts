@@ -280,7 +280,7 @@ export abstract class SketchApi extends LitElement {
 
   /** What meshes of the bodies that are shown lack, as far as they are made: `part`, `name`, `what` (`none`, `thin`, `gaps`, `cut`) and `words` that say what helps. */
   get flaws(): readonly Flaw[] {
-    return this.session.flaws;
+    return this.session.bodyWork.flaws;
   }
 
   /** A PNG of exactly this size, of the kept parts, nothing selected; waits for `src`, for bodies and for the scene. */
@@ -446,7 +446,7 @@ export abstract class SketchApi extends LitElement {
   protected override willUpdate(changes: PropertyValues): void {
     if (changes.has('renderStyle')) this.declared.takeStyle();
     if (changes.has('mode')) this.declared.takeMode();
-    if (changes.has('volumes')) this.session.setVolumes(this.volumes);
+    if (changes.has('volumes')) this.session.looks.setVolumes(this.volumes);
     this.volumes = this.session.volumes;
     if (changes.has('readOnly') && this.readOnly) this.session.cancel();
     this.session.bodies.expectsEdits = !this.readOnly;

@@ -3,7 +3,8 @@ import { draftIsWhole } from '../document/build.ts';
 import { recreatedOf } from '../document/command/keep.ts';
 import { type Document, isSurface } from '../document/document.ts';
 import { bendPart, madeBend, withLength } from '../tool/bend.ts';
-import type { Session, ToolName } from './session.ts';
+import type { Session } from './session.ts';
+import type { ToolName } from './tools.ts';
 import { EDIT_WORDS } from './words.ts';
 
 /** the tool to go back to */
@@ -78,6 +79,8 @@ export function dropBend(session: Session): void {
     session.commit([{ type: 'setBend', id, index, change: old }]);
   }
   keepBend(session);
+  session.said = EDIT_WORDS.left(EDIT_WORDS.bend);
+  session.update();
 }
 
 export function setBendLength(session: Session, keepsLength: boolean): void {

@@ -64,12 +64,15 @@ export function chipSize(document: Document, { width }: Size, backs = false): Ch
     width: (forms > 0 ? 368 : 352) + forms * (words ? 90 : 46),
     narrow: forms > 0 || joins ? 304 : 190,
     height: joins ? 104 : 52,
+    ...(document.draft?.recreates !== undefined && { beside: NUMBERED }),
     narrowHeight: 52 + (forms > 0 ? 52 : 0) + (joins ? 52 : 0),
   };
 }
 
 /** px, as in chipLayout.ts */
 const WORDY = 1100;
+/** px: the numbers of strokes lie between the form and the chip */
+const NUMBERED = 60;
 
 /** Keep or drop what is shown. */
 export function chip(session: Session, actions: Actions): TemplateResult | typeof nothing {

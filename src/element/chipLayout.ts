@@ -22,10 +22,10 @@ export const chipLayout = css`
   .chip.narrow { max-width: 19rem; }
   .chip.narrow .main { flex-wrap: wrap; }
   .chip.narrow .main > .text { flex: 1 1 auto; }
-
   .chip.narrow .main > .text .word { display: inline; }
-  .chip.narrow .forms { border: 0; margin: 0; padding: 0; flex: 1 1 auto; justify-content: space-around; }
-  .chip.narrow .forms .b { padding: 0; }
+  /* a row of their own below drop and keep */
+  .chip.narrow .forms { order: 1; flex: none; width: 100%; justify-content: space-around; border: 0; border-top: 1px solid var(--hairline); margin: 0; padding: 0.25rem 0 0; }
+  .chip.narrow .forms .b { flex: 1; padding: 0; }
   .chip.narrow .forms .word { display: none; }
   .chip.narrow .joins .b { padding: 0 0.5rem; }
   .chip.narrow .joins .word { display: inline; }
@@ -35,7 +35,7 @@ export const chipLayout = css`
     .chip .main { flex-wrap: wrap; }
     .chip.narrow .main > .text { flex: none; }
     .chip.narrow .main > .text .word { display: none; }
-    .chip .forms, .chip.narrow .forms { order: 1; flex: none; width: 100%; justify-content: space-around; border: 0; border-top: 1px solid var(--hairline); margin: 0; padding: 0.25rem 0 0; }
+    .chip .forms { order: 1; flex: none; width: 100%; justify-content: space-around; border: 0; border-top: 1px solid var(--hairline); margin: 0; padding: 0.25rem 0 0; }
     .chip .forms .b, .chip.narrow .forms .b { flex: 1; max-width: 4.5rem; }
     .chip .backs .b, .chip.narrow .backs .b { max-width: none; gap: 0.375rem; }
     .chip .backs .word, .chip.narrow .backs .word { display: inline; }
@@ -43,10 +43,13 @@ export const chipLayout = css`
     .chip .joins .word { display: inline; }
     .meter .long { display: none; }
     .meter .short { display: inline; }
+    .chip:is(:has(.forms), :has(.joins)) ~ .view { bottom: calc(12.75rem + env(safe-area-inset-bottom, 0px)); }
+    .chip:has(.forms):has(.joins) ~ .view { bottom: calc(16rem + env(safe-area-inset-bottom, 0px)); }
   }
   @container (max-width: 359px) {
     .meter button { padding: 0 0.5rem; gap: 0.375rem; }
     .chip .what { padding-right: 0; }
     .chip .main > .text { padding: 0 0.75rem; }
+    .chip .backs .b, .chip.narrow .backs .b { font-size: 0.875rem; white-space: nowrap; gap: 0.25rem; }
   }
 `;

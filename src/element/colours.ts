@@ -2,6 +2,7 @@
 import { html, type TemplateResult } from 'lit';
 import { roving } from './controls.ts';
 import { ball } from './icons.ts';
+import { PART_WORDS } from './words.ts';
 
 /** An illustrator's box: warm to cold, then earth, flesh and greys. */
 const COLOURS: readonly (readonly [name: string, colour: string])[] = [
@@ -25,27 +26,23 @@ const COLOURS: readonly (readonly [name: string, colour: string])[] = [
   ['Coal', '#3a3a3e'],
 ];
 
-/** "Leaf", or "Own" when it is none of the box. */
-export const colourName = (colour: string): string =>
-  COLOURS.find(([, value]) => value === colour)?.[0] ?? 'Own';
-
-/** `chosen` is null where several colours are in use; `first` is what the own colour starts from. */
+/** The heading names the chosen one of the box. `chosen` is null where several colours are in use; `first` is what the own colour starts from. */
 export function spheres(
   label: string,
   chosen: string | null,
   first: string,
   set: (colour: string) => void,
 ): TemplateResult {
-  const known = COLOURS.some(([, value]) => value === chosen);
+  const known = COLOURS.find(([, value]) => value === chosen);
   const own = (event: Event) => set((event.target as HTMLInputElement).value);
-  return html`<div class="spheres" role="radiogroup" aria-label=${label} @keydown=${roving}>
+  const word = known?.[0] ?? (chosen === null ? PART_WORDS.mixed : '');
+  return html`<div class="head"><h3>${PART_WORDS.colour} <span class="value">${word}</span></h3>
+      <label class="own">Own <input type="color" .value=${first} aria-label="Own colour" @change=${own} /></label></div>
+    <div class="spheres" role="radiogroup" aria-label=${label} @keydown=${roving}>
       ${COLOURS.map(
         ([name, value], i) =>
           html`<button role="radio" aria-label=${name} title=${name} aria-checked=${value === chosen} tabindex=${value === chosen || (!known && i === 0) ? 0 : -1}
             @click=${() => set(value)}>${ball('toon', value)}</button>`,
       )}
-    </div>
-    <label class="row">Own colour
-      <input type="color" .value=${first} aria-label="Own colour" @change=${own} />
-    </label>`;
+    </div>`;
 }

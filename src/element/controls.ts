@@ -10,15 +10,7 @@ import type { Place } from './place.ts';
 import { drawRadius } from './radiusDrawing.ts';
 import { startRedraw } from './redraws.ts';
 import type { Session } from './session.ts';
-import {
-  EDIT_WORDS,
-  PART_WORDS,
-  SECTION_WORDS,
-  type ShownStyle,
-  SIZE_WORDS,
-  STYLE_NAMES,
-  WORDS,
-} from './words.ts';
+import { EDIT_WORDS, PART_WORDS, SECTION_WORDS, type ShownStyle, SIZE_WORDS, STYLE_NAMES } from './words.ts';
 
 export type PanelName = 'settings' | 'menu' | 'palette' | 'help' | 'drawings' | 'file' | 'export' | 'parts';
 
@@ -111,7 +103,7 @@ function partsButton({ document }: Session, actions: Actions): TemplateResult {
 export function styleRadios(session: Session, again: () => void): TemplateResult[] {
   const { look, document } = session;
   return (Object.entries(STYLE_NAMES) as [ShownStyle, string][]).map(([style, name]) => {
-    const chosen = look.style === style;
+    const chosen = look.style === style || (style === 'gouraud' && look.style === 'phong');
     return html`<button
       class="style"
       role="radio"
@@ -206,20 +198,6 @@ export const sliderToRadius = (value: number) =>
 export function roundRadius(mm: number): number {
   const step = mm < 10 ? 0.5 : 1;
   return Math.min(RADIUS_RANGE.max, Math.max(RADIUS_RANGE.min, Math.round(mm / step) * step));
-}
-
-/** Line 1: the last event, spoken politely. Line 2: mesh or exact, with what there is of it; where there is room the last form, and the back end. */
-export function status(session: Session): TemplateResult {
-  const backend = session.scene?.backend;
-  const slow = backend === 'WebGL2' ? 'WebGL2, slower' : backend;
-  const { seen, detail } = session;
-  const draws = slow ?? (session.noPicture ? WORDS.noPicture : WORDS.loading);
-  return html`<div class="status chrome" part="status">
-    ${session.hint ? html`<span aria-hidden="true"><b>${session.hint}</b></span>` : nothing}
-    <span role="status" aria-live="polite" class=${session.hint ? 'hidden' : ''}><b>${session.said}</b></span>
-    <span class="hidden hint-said" aria-live="polite">${session.hintAtRest}</span>
-    <span><i class="dot ${backend === 'WebGPU' ? '' : 'slow'}"></i><span class="seen">${seen}</span><span class="aside"><span class="gap">${seen && ' · '}</span><span class="facts">${detail && `${detail} · `}</span>${draws}</span></span>
-  </div>`;
 }
 
 export function notice(session: Session): TemplateResult | typeof nothing {

@@ -1,5 +1,5 @@
 /** How finely surfaces are cut (thesis A.4): finer and coarser by a step, and behind it spans of the control mesh and how often they are halved. */
-import { html, type TemplateResult } from 'lit';
+import { html, nothing, type TemplateResult } from 'lit';
 import { solidOf } from '../document/build.ts';
 import { nameOf } from '../document/command/changeParts.ts';
 import type { SurfacePart } from '../document/document.ts';
@@ -17,7 +17,12 @@ const opened = new WeakSet<Session>();
 /** spans one begins with who sets their number */
 const ROWS = 16;
 
-export function detailRows(session: Session, parts: readonly SurfacePart[]): TemplateResult {
+/** `mesh`: what shows the control mesh that is set here. */
+export function detailRows(
+  session: Session,
+  parts: readonly SurfacePart[],
+  mesh: TemplateResult | typeof nothing,
+): TemplateResult {
   const details = parts.map(({ detail }) => detail);
   const of = nameOf(session.document, session.selection);
   const more = (event: Event) => {
@@ -36,7 +41,7 @@ export function detailRows(session: Session, parts: readonly SurfacePart[]): Tem
     </div>
     <details class="more" ?open=${opened.has(session)} @toggle=${more}>
       <summary>${SURFACE_WORDS.editDetail}</summary>
-      ${editor(session, details, of)}
+      ${editor(session, details, of)} ${mesh}
     </details>`;
 }
 
@@ -90,5 +95,5 @@ function editor(session: Session, details: readonly Detail[], of: string): Templ
   };
   const auto = (on: boolean) => session.run(change({ rows: on ? DEFAULT_DETAIL.rows : ROWS }));
   return html`${toggle(SURFACE_WORDS.autoRows, isAuto, auto, { title: SURFACE_WORDS.autoRowsHint })}
-    ${isAuto ? '' : slider('rows')} ${slider('columns')} ${slider('u')} ${slider('v')}`;
+    ${isAuto ? nothing : slider('rows')} ${slider('columns')} ${slider('u')} ${slider('v')}`;
 }

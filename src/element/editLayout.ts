@@ -9,12 +9,13 @@ export const editLayout = css`
   .edit .segment { margin: 0; }
   .edit .segment button { padding: 0 0.875rem; white-space: nowrap; }
   @container (max-width: 699px) {
-    .acts.edit { width: auto; flex-wrap: wrap; justify-content: center; }
-    .edit .what { flex: 1 0 100%; min-height: 2.25rem; justify-content: center; }
+    .acts.edit { width: auto; flex-wrap: wrap; justify-content: flex-end; }
+    .edit .what { flex: 1 1 0; min-width: 0; min-height: 2.75rem; white-space: normal; }
+    .edit .what b { line-height: 1.1875rem; }
     .acts.edit .b { flex: 0 0 auto; padding: 0 0.75rem; }
-    .edit .word { display: none; }
-    .edit .segment { flex: 1; }
+    .acts.edit :is(.word, .b > .name) { display: none; }
+    .edit .segment { order: 1; flex: 1 0 100%; }
     .edit .segment button { padding: 0 0.25rem; }
-    .acts.edit ~ :is(.status, .view) { bottom: calc(12.5rem + env(safe-area-inset-bottom, 0px)); }
+    .acts.edit ~ .view { bottom: calc(12.75rem + env(safe-area-inset-bottom, 0px)); }
   }
 `;

@@ -97,6 +97,7 @@ function slider(session: Session, { name, finishes, command }: Of, key: keyof Fi
     hint: FINISH_WORDS.hint[key],
     of: name,
     value: others.every((other) => other === value) ? value! : null,
+    inRow: true,
     text: key === 'shininess' ? String : percent,
     scale: SCALES[key],
     command: (changed) => command({ [key]: changed }),

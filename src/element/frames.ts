@@ -159,7 +159,7 @@ export class Frames {
     const session = this.#session;
     try {
       // first, so that what was there stands in for what is not made yet
-      session.wantShown();
+      session.bodyWork.wantShown();
       const kept = solids(shown).map((solid) => ({ solid, preview: false }));
       const draft = draftSolids(shown).map((solid) => ({ solid, preview: true }));
       // What encloses nothing is no mesh to draw.

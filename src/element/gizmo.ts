@@ -17,6 +17,7 @@ import type { Actions } from './controls.ts';
 import { dragHandle, hasFocus, keyHandle, letGo, takeFocus } from './gizmoHands.ts';
 import { icon } from './icons.ts';
 import type { Rect, Size } from './place.ts';
+import { isDrawingRadius } from './radiusDrawing.ts';
 import type { Session } from './session.ts';
 import { PART_WORDS, SOLID_WORDS } from './words.ts';
 
@@ -42,7 +43,8 @@ interface Knob {
 
 export function gizmo(session: Session, actions: Actions): TemplateResult | typeof nothing {
   const { view, size, document } = session;
-  if (session.tool !== 'select' || session.state.band) return nothing;
+  // the pen draws over where it would be
+  if (session.tool !== 'select' || session.state.band || isDrawingRadius(session)) return nothing;
   const middle = middleNow(session);
   const at = (middle && project(view, size, middle)) ?? OUTSIDE;
   // A handle in the hand stays, wherever it goes: without it nobody would hear where the hand lets go, nor what is typed.

@@ -7,8 +7,9 @@ import type { Pen } from '../tool/tool.ts';
 import { type Actions, roundRadius } from './controls.ts';
 import { press } from './keys.ts';
 import type { PointerTarget } from './pointer.ts';
-import { type Session, TOOLS } from './session.ts';
+import type { Session } from './session.ts';
 import { stepBack } from './stepBack.ts';
+import { TOOLS } from './tools.ts';
 import type { BallActions } from './viewBall.ts';
 import { WORDS } from './words.ts';
 

@@ -32,7 +32,7 @@ export class Keeping {
     this.#voice = voice;
     this.autosave = new Autosave(createVault(key), tabsOf(key), {
       drawing: () => host.session.drawing,
-      facts: () => ({ ownPaper: host.session.choseBackground, file: origins.fact }),
+      facts: () => ({ ownPaper: host.session.looks.choseBackground, file: origins.fact }),
       changed: () => host.requestUpdate(),
     });
     this.autosave.connect();
@@ -58,7 +58,7 @@ export class Keeping {
     const { session, theme } = this.#host;
     const { file, ownPaper } = stored;
     session.open(drawing, { fit: false, fresh: true });
-    session.choseBackground = ownPaper;
+    session.looks.choseBackground = ownPaper;
     if (!ownPaper) session.setLook(PAPER_OF[themeOf(theme)]);
     this.#origins.current = file && { name: file.name, handle: file.handle ?? null };
     if (file?.unchanged) this.#origins.mark(session.document, session.name, 'file');

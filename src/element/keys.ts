@@ -129,9 +129,9 @@ function looking(key: string, session: Session, actions: KeyActions): boolean {
     case 'x':
       return done(session.setMode(look.mode === 'exact' ? 'mesh' : 'exact'));
     case 'm':
-      return done(session.toggleVolumes());
+      return done(session.looks.toggleVolumes());
     case 'f':
-      return done(session.fullScreen());
+      return done(session.onFullScreen());
     case 'Home':
       return done(session.camera.showAll());
     case '0':

@@ -123,11 +123,13 @@ export const layout = css`
   .chip.narrow .what, .chip.narrow .word { display: none; }
 
   /* status and view ball */
-  .status { position: absolute; left: 1.25rem; bottom: var(--gap); font-size: 0.8125rem; line-height: 1.125rem; color: var(--over-2); display: flex; flex-direction: column; gap: 0.125rem; max-width: 21rem; pointer-events: none; }
+  .status { position: absolute; left: 1.25rem; bottom: var(--gap); font-size: 0.8125rem; line-height: 1.125rem; color: var(--over-2); display: flex; flex-direction: column; gap: 0.125rem; max-width: 21rem; pointer-events: none; text-shadow: 0 0 2px var(--halo), 0 0 3px var(--halo), 0 0 4px var(--halo), 0 0 6px var(--halo); }
   .status b { color: var(--over); font-weight: 600; }
+  .status .fact { white-space: nowrap; }
   .dot { display: inline-block; width: 0.5rem; height: 0.5rem; border-radius: 50%; background: var(--good); margin-right: 0.375rem; }
   .dot.slow { background: var(--warn); }
-  .view { position: absolute; right: 1.25rem; bottom: var(--gap); width: 4.75rem; text-align: center; font-size: 0.75rem; line-height: 1rem; color: var(--over-2); touch-action: none; }
+  .view { position: absolute; right: 1.25rem; bottom: var(--gap); width: 4.75rem; text-align: center; font-size: 0.75rem; line-height: 1rem; color: var(--over-2); touch-action: none; text-shadow: 0 0 2px var(--halo), 0 0 3px var(--halo), 0 0 4px var(--halo); }
+  .view svg { text-shadow: none; }
   .view svg { width: 4.75rem; height: 4.75rem; display: block; cursor: grab; overflow: visible; }
   .view text { font: 700 11px var(--font); fill: var(--surface); text-anchor: middle; pointer-events: none; }
 
@@ -146,6 +148,7 @@ export const layout = css`
   .panel .row[aria-disabled='true'] { color: var(--ink-off); cursor: default; }
   .panel button.row:hover { background: var(--sunken); }
   .panel .slide { padding: 0 0.5rem; }
+  .panel .slide input { display: block; }
   .panel dl { display: grid; grid-template-columns: auto 1fr; gap: 0.25rem 1rem; padding: 0 0.5rem 0.5rem; align-items: center; }
   .panel dd { margin: 0; color: var(--ink-2); }
   .presets { display: grid; grid-template-columns: repeat(4, 1fr); gap: 0.375rem; padding: 0 0.5rem; }
@@ -178,7 +181,7 @@ export const layout = css`
   @container (max-width: 1099px) {
     .style span { display: none; }
     .style { padding: 0 0.625rem; }
-    .status .facts { display: none; }
+    .status .aside { display: none; }
   }
   @container (max-width: 699px) {
     .app { --gap: 0.5rem; }
@@ -201,14 +204,16 @@ export const layout = css`
     .chip .what, .chip.narrow .what { display: block; flex: 1; }
     .chip .word { display: none; }
     .status { left: 0.75rem; bottom: calc(5.25rem + env(safe-area-inset-bottom, 0px)); max-width: 60%; }
-    .chip ~ .status { display: none; }
+    /* the card says it; it is still heard */
+    :is(.chip, .acts.edit) ~ .status { left: 0; bottom: 0; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%); }
     .view { right: 0.75rem; bottom: calc(9.5rem + env(safe-area-inset-bottom, 0px)); }
     .panel { left: 0.5rem; right: 0.5rem; width: auto; top: auto; bottom: 0; max-height: 70%; border-radius: 1rem 1rem 0 0; }
   }
   @container (max-width: 359px) {
+    .top { gap: 0.25rem; }
     .meter.steps button { padding: 0 0.375rem; gap: 0.125rem; min-width: 2.75rem; justify-content: center; }
-    /* they are among the actions of what is selected, too */
-    .rail .b:is([aria-label='Redraw'], [aria-label='Bend']) { display: none; }
+    /* the colour and the radius take their room */
+    .rail:not(.selecting) .b:is([aria-label='Redraw'], [aria-label='Bend']) { display: none; }
   }
   @container (max-height: 560px) and (min-width: 700px) {
     .rail { top: calc(50% + 2rem); max-height: calc(100% - 6rem); overflow-y: auto; scrollbar-width: none; }
@@ -225,6 +230,7 @@ export const layout = css`
   @media (forced-colors: active) {
     .card, .b, .segment button { border: 1px solid ButtonText; }
     .b[aria-pressed='true'], .app [aria-checked='true'] { background: Highlight; color: HighlightText; box-shadow: none; forced-color-adjust: none; }
+    .dot { forced-color-adjust: none; }
     /* its track is a gradient, which would be taken away */
     input[type='range'] { forced-color-adjust: none; --surface: Canvas; --ink-2: Highlight; --track: CanvasText; --pencil: Highlight; --e1: none; }
   }

@@ -56,11 +56,11 @@ function settings(session: Session, actions: Actions): TemplateResult {
       ${toggle('Wireframe', look.wireframe, (wireframe) => session.setLook({ wireframe }))}
       ${toggle(WORDS.exactSurface, look.mode === 'exact', (on) => session.setMode(on ? 'exact' : 'mesh'), {
         title: WORDS.exactHint,
-        off: session.hasBodies ? null : WORDS.noBodies,
+        off: session.looks.hasBodies ? null : WORDS.noBodies,
       })}
-      ${toggle(WORDS.volumes, session.volumes, () => session.toggleVolumes(), {
+      ${toggle(WORDS.volumes, session.volumes, () => session.looks.toggleVolumes(), {
         title: WORDS.volumesHint,
-        off: session.hasBodies ? null : WORDS.noBodies,
+        off: session.looks.hasBodies ? null : WORDS.noBodies,
       })}
     </section>
     <section>
@@ -128,7 +128,7 @@ function menu(session: Session, actions: Actions): TemplateResult {
       <div class="faces" role="group" aria-label="Look from">
         ${FACES.map((side) => html`<button class="b quiet" @click=${() => session.camera.face(side)}>${capital(side)}</button>`)}
       </div>
-      ${entry('full', 'Full screen', 'F', () => session.fullScreen())}
+      ${entry('full', 'Full screen', 'F', () => session.onFullScreen())}
       ${actions.readOnly ? nothing : entry('share', 'Export', '', () => actions.toggle('export'))}
       ${entry('help', 'Keys and gestures', '?', () => actions.toggle('help'))}
     </section>

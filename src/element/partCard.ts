@@ -6,7 +6,7 @@ import { itemsOf, nameOf } from '../document/command/changeParts.ts';
 import { LONGEST_NAME } from '../document/command/renamePart.ts';
 import { isSolid, isSurface, type Part, RADIUS_RANGE, type SurfacePart } from '../document/document.ts';
 import { chosenColour, chosenParts, coloursOf } from './chosenParts.ts';
-import { colourName, spheres } from './colours.ts';
+import { spheres } from './colours.ts';
 import { radiusToSlider, sliderToRadius } from './controls.ts';
 import { partFinish } from './finishCard.ts';
 import { flawsOf } from './flaws.ts';
@@ -25,18 +25,12 @@ export function partCard(session: Session): TemplateResult {
   if (chosen.length === 0) return html`<section><p class="quiet-words">${PART_WORDS.choose}</p></section>`;
   return html`<section class="card-of-part">
     ${chosen.length === 1 ? nameField(session, chosen[0]!) : html`<h3>${PART_WORDS.several(chosen.length)}</h3>`}
-    <h3>${PART_WORDS.colour} <span class="value">${colourWords(session)}</span></h3>
     ${partColours(session)} ${partFinish(session, true)} ${radius(session, parts)}
     ${parts.length === chosen.length && parts.every(isSurface) ? surfaceCard(session, parts) : nothing}
     ${parts.every(isSolid) ? groupCard(session) : nothing}
     ${only && !isSurface(only) ? html`<p class="quiet-words">${facts(only)}</p>` : nothing}
     ${only ? flaws(session, only) : nothing}
   </section>`;
-}
-
-function colourWords(session: Session): string {
-  const colour = chosenColour(session);
-  return colour === null ? PART_WORDS.mixed : colourName(colour);
 }
 
 /** For the panel, and for the palette while parts are selected. */

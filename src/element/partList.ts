@@ -81,7 +81,7 @@ function draw(list: HTMLElement, session: Session): void {
     rows,
     selection,
     active: active ?? rows[0]?.id ?? null,
-    flaws: session.flaws.map(({ part, what }) => `${part} ${what}`).join(),
+    flaws: session.bodyWork.flaws.map(({ part, what }) => `${part} ${what}`).join(),
     ...rowsInSight(list, rows),
   };
   const same = (Object.keys(now) as (keyof Shown)[]).every((key) => now[key] === before?.[key]);

@@ -69,12 +69,22 @@ export const partsLayout = css`
   .part.unseen .what .icon { opacity: 0.55; }
   .part[aria-selected='true'] { background: var(--pencil-soft); }
   .part[aria-selected='true'] :is(b, .what .icon) { color: var(--pencil); }
-  .panel input[type='color'] { width: 3.5rem; height: 2.75rem; padding: 0.375rem; border: 0; background: none; cursor: pointer; }
+  .panel input[type='color'] { width: 3rem; height: 2.75rem; padding: 0.5rem 0.375rem; border: 0; background: none; cursor: pointer; }
+  .head { display: flex; align-items: center; }
+  .head h3 { flex: 1; }
+  .head .own { display: flex; align-items: center; font: 600 0.8125rem/1.125rem var(--font); color: var(--ink-2); cursor: pointer; padding-left: 0.5rem; border-left: 1px solid var(--hairline); height: 1.5rem; }
+  .in-row { display: flex; align-items: center; }
+  .in-row h3 { flex: none; min-width: 5.5rem; }
+  .in-row :is(.slide, .segment) { flex: 1; min-width: 0; }
+  .in-row .segment { margin-left: 0; }
+  .segment + .in-row { margin-top: 0.5rem; }
+  .in-row > .value { min-width: 3.25rem; padding-right: 0.5rem; text-align: right; font: 600 0.8125rem/1.125rem var(--font); }
   .panel h3 .value { color: var(--ink); }
   .more summary { display: flex; align-items: center; min-height: 2.75rem; padding: 0 0.5rem; border-radius: 0.75rem; font: 600 0.8125rem/1.125rem var(--font); color: var(--ink-2); cursor: pointer; }
   .more summary::after { content: ''; width: 0.4375rem; height: 0.4375rem; margin: -0.25rem 0.25rem 0 auto; border: solid currentColor; border-width: 0 2px 2px 0; rotate: 45deg; }
   .more[open] summary::after { rotate: 225deg; margin-top: 0.25rem; }
   .more summary:hover { background: var(--sunken); }
+  .panel button.row[aria-pressed='true'] { background: var(--pencil-soft); color: var(--pencil); }
   .tiles { display: grid; grid-template-columns: repeat(3, 1fr); gap: 0.5rem; padding: 0 0.5rem 0.25rem; }
   .tile { position: relative; display: grid; min-height: 4.25rem; border-radius: 0.75rem; font-size: 0.8125rem; line-height: 1.125rem; }
   .tile .pick, .tile.add { display: flex; flex-direction: column; align-items: center; justify-content: center; gap: 0.25rem; border-radius: 0.75rem; box-shadow: inset 0 0 0 1.5px var(--hairline); }
@@ -88,18 +98,18 @@ export const partsLayout = css`
   .outline .back { stroke-width: 1.25; opacity: 0.6; }
   .outline .chord { stroke-width: 1.5; stroke-dasharray: 2 4; }
   .segment.pictured button { display: flex; align-items: center; justify-content: center; gap: 0.375rem; white-space: nowrap; flex: 1 1 auto; }
-  .bends { list-style: none; margin: 0; padding: 0; }
+  .bends { list-style: none; margin: 0.25rem 0 0; padding: 0; }
   .bends li { display: flex; align-items: center; min-height: 2.75rem; padding-left: 0.5rem; }
   .bends li > b { flex: 1; font-weight: 600; white-space: nowrap; }
   .bends li .b { color: var(--ink-2); }
   .bends li.unseen > b { color: var(--ink-2); font-weight: 500; }
+  .bends li + li { margin-top: 0.25rem; }
   .bends .length { width: auto; padding: 0 0.75rem; height: 2.75rem; font: 600 0.75rem/1rem var(--font); white-space: nowrap; }
   .detail { display: flex; align-items: center; border-top: 1px solid var(--hairline); margin-top: 0.5rem; padding-top: 0.25rem; }
   .detail > div { flex: 1; }
   .panel .detail h3 { color: var(--ink); font-size: 0.9375rem; min-height: 1.5rem; }
   .detail small { display: block; padding: 0 0.5rem; font-size: 0.8125rem; line-height: 1.125rem; color: var(--ink-2); }
   .quiet-words { padding: 0.5rem; color: var(--ink-2); font-size: 0.8125rem; line-height: 1.125rem; }
-  .card-of-part .name-field ~ .spheres + .row { min-height: 2.25rem; }
   .name-field { display: flex; align-items: center; gap: 0.75rem; padding: 0 0.5rem; font: 600 0.8125rem/1.125rem var(--font); color: var(--ink-2); }
   .name-field input { flex: 1; min-width: 0; height: 2.75rem; padding: 0 0.75rem; border: 1.5px solid var(--edge); border-radius: 0.75rem; background: var(--surface); color: var(--ink); font: 600 0.9375rem/1.3125rem var(--font); user-select: text; -webkit-user-select: text; }
   .choice { min-width: 0; max-width: 11rem; height: 2.75rem; padding: 0 0.5rem; border: 1.5px solid var(--edge); border-radius: 0.75rem; background: var(--surface); color: var(--ink); font: 600 0.875rem/1.25rem var(--font); text-overflow: ellipsis; }
@@ -135,7 +145,7 @@ export const partsLayout = css`
     .rail.selecting .toggle { margin-left: auto; }
     .acts { left: 0.5rem; right: 0.5rem; transform: none; bottom: calc(5.25rem + env(safe-area-inset-bottom, 0px)); justify-content: space-between; }
     .acts .b { min-width: 2.75rem; flex: 1 1 auto; padding: 0 0.125rem; }
-    .acts .elsewhere:not(.least) { display: none; }
+    .acts :is(.elsewhere:not(.least), .railed) { display: none; }
     .acts .separator { display: none; }
     .acts ~ .status { max-width: 60%; bottom: calc(10rem + env(safe-area-inset-bottom, 0px)); }
     .acts ~ .view { bottom: calc(10rem + env(safe-area-inset-bottom, 0px)); }
@@ -153,6 +163,10 @@ export const partsLayout = css`
   :host([data-theme='contrast']) :is(.part[aria-selected='true']) { box-shadow: inset 0 0 0 3px var(--pencil); }
   @media (forced-colors: active) {
     .handle > span { border: 2px solid ButtonText; }
-    .part[aria-selected='true'] { background: Highlight; color: HighlightText; }
+    .part[aria-selected='true'] { background: Highlight; forced-color-adjust: none; }
+    .part[aria-selected='true'] :is(b, small, .icon, .what .icon, .b) { color: HighlightText; }
+    .part[aria-selected='true'] .b:hover { background: none; }
+    .tile .pick { border: 1px solid ButtonText; }
+    .tile .off { border: 0; }
   }
 `;

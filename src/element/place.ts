@@ -42,6 +42,8 @@ export interface ChipSize {
   readonly height: number;
   /** with icons only, in rows below each other */
   readonly narrowHeight: number;
+  /** from a form that it lies beside */
+  readonly beside?: number;
 }
 
 /** The box of meshes on the screen, CSS pixels; null when nothing is in front of the camera. */
@@ -89,9 +91,10 @@ export function chipPlace(box: Rect, size: Size, chip: ChipSize = CHIP): Place {
     const least = size.height - bottom - (narrow ? chip.narrowHeight : height);
     const y = clamp((box.top + box.bottom) / 2, top, least);
     const half = (narrow ? chip.narrow : chip.width) / 2;
-    const right = box.right + gap + half;
+    const beside = chip.beside ?? gap;
+    const right = box.right + beside + half;
     if (right + half <= size.width - 16) return { x: right, y, narrow };
-    const left = box.left - gap - half;
+    const left = box.left - beside - half;
     if (left - half >= side) return { x: left, y, narrow };
   }
   // The form fills the picture: over its lower end, where the meter is anyway.

@@ -10,5 +10,8 @@ export function startRedraw(session: Session): true {
   return true;
 }
 
-export const leaveRedraw = (session: Session): void =>
+export function leaveRedraw(session: Session): void {
   session.setTool(session.selection.length > 0 ? 'select' : 'draw');
+  session.said = EDIT_WORDS.left(EDIT_WORDS.redraw);
+  session.update();
+}

@@ -13,7 +13,7 @@ import { bendCard } from './bendCard.ts';
 import { chip, chipSize, showsBacks } from './chip.ts';
 import { chipLayout } from './chipLayout.ts';
 import { clipboard } from './clipboard.ts';
-import { notice, type PanelName, rail, status, topBar } from './controls.ts';
+import { notice, type PanelName, rail, topBar } from './controls.ts';
 import { dropVeil } from './dropVeil.ts';
 import { editLayout } from './editLayout.ts';
 import { messageOf, renamed } from './events.ts';
@@ -40,6 +40,7 @@ import { Session } from './session.ts';
 import { hasSkeleton } from './skeletonEdit.ts';
 import { skeletonLayout, skeletonOverlay } from './skeletonOverlay.ts';
 import { startLayout } from './startLayout.ts';
+import { status } from './statusLine.ts';
 import { PAPER_OF, reducedMotion, themeOf, watchPixelRatio, watchSystem } from './theme.ts';
 import { tokens } from './tokens.ts';
 import { viewBall } from './viewBall.ts';
@@ -185,7 +186,7 @@ export class RotundSketch extends SketchApi {
     this.#adapt();
     this.#resize();
     this.session.frames.asleep = false;
-    this.session.wantBodies();
+    this.session.bodyWork.want();
     this.scene.go();
     void this.#life.open();
   }
@@ -265,7 +266,7 @@ export class RotundSketch extends SketchApi {
     this.dataset.theme = theme;
     const { session } = this;
     if (session.scene) session.scene.rig.reducedMotion = reducedMotion();
-    if (!session.choseBackground) session.look = { ...session.look, ...PAPER_OF[theme] };
+    if (!session.looks.choseBackground) session.looks.look = { ...session.look, ...PAPER_OF[theme] };
     session.scene?.setLook(session.look);
     session.update();
   }
@@ -389,7 +390,7 @@ export class RotundSketch extends SketchApi {
     const key = JSON.stringify([view, state.carried, state.skeleton?.nodes, frames.triangles]);
     if (key === this.#viewKey) return;
     this.#viewKey = key;
-    this.session.hoverAgain();
+    this.session.hand.hoverAgain();
     this.requestUpdate();
   }
 

@@ -1,5 +1,5 @@
 /** A slider with a name and its value: what a drag does is only shown until it ends, and is one undo step then. */
-import { html, type TemplateResult } from 'lit';
+import { html, nothing, type TemplateResult } from 'lit';
 import { live } from 'lit/directives/live.js';
 import type { Command } from '../document/command/index.ts';
 import type { Session } from './session.ts';
@@ -15,6 +15,8 @@ export interface SliderOptions {
   readonly text: (value: number) => string;
   readonly scale: Scale;
   readonly hint?: string;
+  /** name, slider and value in one row: for short names */
+  readonly inRow?: boolean;
   readonly command: (value: number) => Command;
 }
 
@@ -40,17 +42,18 @@ export const ratios = (min: number, max: number): Scale => ({
 export const percent = (factor: number): string => `${Math.round(100 * factor)} %`;
 
 export function sliderRow(session: Session, options: SliderOptions): TemplateResult {
-  const { name, of, value, text, scale, hint, command } = options;
+  const { name, of, value, text, scale, hint, inRow = false, command } = options;
   const place = value === null ? 50 : Math.min(100, Math.max(0, scale.place(value)));
   const words = value === null ? PART_WORDS.mixed : text(value);
   const moved = (done: boolean) => (event: Event) =>
     session.tune(command(scale.value(Number((event.target as HTMLInputElement).value))), done);
-  return html`<h3 title=${hint ?? ''}>${name} <span class="value">${words}</span></h3>
+  const end = html`<span class="value">${words}</span>`;
+  return html`<div class=${inRow ? 'in-row' : ''}><h3 title=${hint ?? ''}>${name} ${inRow ? nothing : end}</h3>
     <div class="slide">
       <input type="range" min="0" max="100" step="any" aria-label="${name} of ${of}" aria-valuetext=${words} style="--fill: ${place}%"
         .value=${live(String(place))} @input=${moved(false)} @change=${moved(true)} @keydown=${(event: KeyboardEvent) => step(event)}
         @pointerdown=${() => session.holdSlider()} @blur=${() => session.holdSlider()} />
-    </div>`;
+    </div>${inRow ? end : nothing}</div>`;
 }
 
 /** Arrow keys of a slider without steps would be too fine to see. */

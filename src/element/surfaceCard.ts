@@ -25,9 +25,13 @@ export function surfaceCard(session: Session, parts: readonly SurfacePart[]): Te
     ${across.length === parts.length ? backs(session, across) : nothing}
     ${patches.length === parts.length ? betweens(session, patches) : nothing}
     ${only ? bends(session, only) : nothing}
-    ${detailRows(session, parts)}
-    ${only ? toggle(SURFACE_WORDS.mesh, isMeshShown(session), (on) => showMesh(session, on), { title: SURFACE_WORDS.meshHint }) : nothing}`;
+    ${detailRows(session, parts, only ? controlMesh(session) : nothing)}`;
 }
+
+const controlMesh = (session: Session): TemplateResult =>
+  toggle(SURFACE_WORDS.mesh, isMeshShown(session), (on) => showMesh(session, on), {
+    title: SURFACE_WORDS.meshHint,
+  });
 
 /** Kept ones of a surface that one stepped back from count, too. */
 function sections(session: Session, part: SurfacePart): TemplateResult | typeof nothing {
@@ -75,7 +79,7 @@ function betweens(session: Session, parts: readonly SurfacePart[]): TemplateResu
     on: between === now,
     run: () => session.run({ type: 'setSurface', ids, change: { between } }),
   }));
-  return html`<h3>${SURFACE_WORDS.between}</h3>${segment(SURFACE_WORDS.between, choices)}`;
+  return html`<div class="in-row"><h3>${SURFACE_WORDS.shortBetween}</h3>${segment(SURFACE_WORDS.between, choices)}</div>`;
 }
 
 /** What all have; null where they differ. */
@@ -86,8 +90,7 @@ function same<T>(values: readonly T[]): T | null {
 
 function bends(session: Session, part: SurfacePart): TemplateResult | typeof nothing {
   if (part.bends.length === 0) return nothing;
-  return html`<h3>${SURFACE_WORDS.bends} <span class="value">${part.bends.length}</span></h3>
-    <ul class="bends">${part.bends.map((bend, index) => bendRow(session, part, bend, index))}</ul>`;
+  return html`<ul class="bends" aria-label=${SURFACE_WORDS.bends}>${part.bends.map((bend, index) => bendRow(session, part, bend, index))}</ul>`;
 }
 
 function bendRow(session: Session, { id, name }: SurfacePart, bend: Bend, index: number): TemplateResult {

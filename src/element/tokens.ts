@@ -42,9 +42,9 @@ export const tokens = css`
   :host([data-theme='dark']) { ${unsafeCSS(DARK)} }
   :host([data-theme='contrast']) { ${unsafeCSS(CONTRAST)} }
   /* what lies on the picture itself is read against its paper, whatever the theme */
-  .app { --over: #26211b; --over-2: #5c5447; }
-  .app.on-dark { --over: #f2ecdf; --over-2: #b9bfcc; }
-  :host([data-theme='contrast']) .app:not(.on-dark) { --over: #000000; --over-2: #1f1f1f; }
+  .app { --over: #26211b; --over-2: #5c5447; --halo: #f6f1e6; }
+  .app.on-dark { --over: #f2ecdf; --over-2: #b9bfcc; --halo: #191e2b; }
+  :host([data-theme='contrast']) .app:not(.on-dark) { --over: #000000; --over-2: #1f1f1f; --halo: #ffffff; }
   :host([data-theme='contrast']) .app.on-dark { --over: #ffffff; --over-2: #ffffff; }
   @media (prefers-reduced-motion: reduce) {
     :host { --press: 1ms; --appear: 1ms; }

@@ -1,5 +1,6 @@
 /** What files have to say to a person: in the status line, or as a notice with ways on. */
-import type { Notice, Session } from './session.ts';
+import type { Notice } from './notice.ts';
+import type { Session } from './session.ts';
 
 export class Voice {
   #notice: Notice | null = null;

@@ -242,6 +242,7 @@ export const SURFACE_WORDS = {
   remove: (what: string) => `Remove ${what}`,
   draw: 'Draw one',
   between: 'Between sections',
+  shortBetween: 'Between',
   betweens: {
     cubic: { name: 'Smooth', hint: 'Sections flow over into each other' },
     linear: { name: 'Straight', hint: 'Sections go over into each other in a straight line' },
@@ -389,6 +390,7 @@ export const EDIT_WORDS = {
   bent: (name: string) => `${name} bent`,
   which: 'Tap the part to bend',
   noneToBend: 'Nothing to bend yet: draw a form first',
+  left: (tool: string) => `${tool} put away`,
   bendFact: (index: number) => `bend ${index + 1}`,
   recreate: 'Recreate',
   recreateHint: 'Back to its strokes: draw on, redraw, remove',

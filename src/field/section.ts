@@ -1,7 +1,7 @@
 /**
  * Cross sections other than round ones (Tai et al. 2004 §4.2): the plane across a skel is mapped radially, q' = m(q) q, onto
  * that of the plain ("generic") skel, whose field is then taken. This is the inverse of the paper's map T_z: evaluators need
- * T⁻¹, and (19) and (20) print one direction each (FIELD-NOTES §1).
+ * T⁻¹, and (19) prints T forward and (20) its inverse.
  */
 
 /** [m, ∂m/∂x, ∂m/∂y] */

@@ -3,7 +3,7 @@
  * the curve where both surfaces meet. No distance: where a = b the value is (2 + √2) a or (2 − √2) a.
  *
  * Departure: where a + b < 0 it is 2 a b / (a + b − q), which does not cancel: as printed the sign is wrong in 1.5e-4 of
- * log-uniform pairs in float32 (FIELD-NOTES §5). q is scaled by the larger operand, or squares under- and overflow.
+ * log-uniform pairs in float32. q is scaled by the larger operand, or squares under- and overflow.
  */
 import { monotone, type Operation } from './operation.ts';
 

@@ -3,7 +3,7 @@
  * round, 1 a diamond, below 1 a star with concave sides, 100 nearly a square.
  *
  * With t = min/max of |x|, |y|: m = (1 + t^α)^{1/α} / √(1 + t²), which neither over- nor underflows in float32 (the literal
- * form does at 59 % of the notes' points for α = 50). For α < 1 the field has a crease on both axes; there the slope is
+ * form does at 59 % of the points that were tried for α = 50). For α < 1 the field has a crease on both axes; there the slope is
  * finite but arbitrary.
  */
 import { pow } from '../math/pow.ts';

@@ -1,7 +1,7 @@
 /**
  * The Cauchy kernel 1/(1 + s²r²)² (Zhu et al. 2011 §3.2; Jin & Tai 2002), in units of 1/s.
  *
- * Segments: FIELD-NOTES §2 (cauchyLine.ts for linear weights, inversePower.ts). Polygons: FIELD-NOTES §3 (cauchyEdge.ts): one arc
+ * Segments: cauchyLine.ts for linear weights, inversePower.ts for others. Polygons: cauchyEdge.ts: one arc
  * tangent an edge, where Zhu's (16) has four, lacks its bracket, and divides by a component of the edge.
  */
 import { PI } from '../math/trig.ts';

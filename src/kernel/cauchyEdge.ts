@@ -2,7 +2,7 @@
  * An edge's share of the Cauchy kernel over a polygon, in one piece: what powerEdge.ts does for all exponents, in two thirds of
  * the time and without numbers handed from call to call, which engines put on the heap.
  *
- * Theory: FIELD-NOTES §3. Gradients beyond an end, where ∫ Q⁻² cancels, are left to powerEdge.ts.
+ * Theory: Green, as in powerEdge.ts: (d ∫ dτ/(w² + τ²))/(2m), w² = m + d², m = 1 + z², one arc tangent. Gradients beyond an end, where ∫ Q⁻² cancels, are left to powerEdge.ts.
  */
 import { fastAtan2 } from '../math/atan.ts';
 import type { EdgeFrame, Integral } from './kernel.ts';

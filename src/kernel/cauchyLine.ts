@@ -2,9 +2,9 @@
  * The Cauchy kernel over a line with a linear weight: what skeletons are mostly made of, so it goes from the point to the
  * field in one piece.
  *
- * Theory: FIELD-NOTES §2, ∫ Q⁻² and ∫ Q⁻³, Q = M² + τ², from one arc tangent: θ, in which the line is seen across M.
+ * Theory: ∫ Q⁻² and ∫ Q⁻³, Q = M² + τ², from one arc tangent: θ, in which the line is seen across M.
  * Departures: the first end is the origin wherever the point is, and the perpendicular is taken once, since 1 is added to its
- * square: all that is lost is 1e-16 of the length in kernel units (LONGEST). Beyond an end the notes' form cancels; there, with σ the sum of both
+ * square: all that is lost is 1e-16 of the length in kernel units (LONGEST). Beyond an end that form cancels; there, with σ the sum of both
  * ends' angles, every term is positive (`outer`), and five Gauss points take what is far (FAR).
  * Nanoseconds near, beyond an end and far: 34, 47, 46; through a LineFrame with general moments and ten Gauss points 77, 151,
  * 194. Tried: this very form through a LineFrame, a third longer (a call, and numbers stored to be read again); the nearer end as

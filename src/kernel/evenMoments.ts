@@ -1,9 +1,9 @@
 /**
  * ∫ τ^k Q^−n along a line, Q = M² + τ², n = 1…4: what Cauchy kernels and even inverse powers are made of.
  *
- * Theory: FIELD-NOTES §2. One arc tangent, then recurrences upwards in n; ∫ τ^k Q^−n = ∫ τ^(k−2) Q^(1−n) − M² ∫ τ^(k−2) Q^−n.
- * Departure: beyond an end the recurrence for k = 0 cancels (by (M/τ)², 1e-10 at M = 1e-5 τ). The notes take a series of
- * sin^2n in the angle, two arc tangents; here v = 1/τ makes it ∫ v^(2n−2) (1 + M²v²)^−n dv, smooth where M v < 2/3, and
+ * One arc tangent, then recurrences upwards in n; ∫ τ^k Q^−n = ∫ τ^(k−2) Q^(1−n) − M² ∫ τ^(k−2) Q^−n.
+ * Departure: beyond an end the recurrence for k = 0 cancels (by (M/τ)², 1e-10 at M = 1e-5 τ). A series of
+ * sin^2n in the angle takes two arc tangents; here v = 1/τ makes it ∫ v^(2n−2) (1 + M²v²)^−n dv, smooth where M v < 2/3, and
  * ten Gauss points leave 1e-16 for all n at once, without a root, a series or an arc tangent.
  */
 import { fastAtan2 } from '../math/atan.ts';

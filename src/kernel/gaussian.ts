@@ -1,10 +1,10 @@
 /**
  * The Gaussian exp(−s²r²) (Blinn; Jin & Tai 2002), in units of 1/s.
  *
- * Segments: its closed form has an error function and cancels beyond the ends, so FIELD-NOTES §2 integrates; here panels
- * of 16 Gauss points at most 3.2 long leave 1e-15 of the value even in the tails (the notes' ten points a half: 1e-8).
- * Polygons: FIELD-NOTES §3, d ∫ (1 − e^−u)/(2u) dτ. Departure: beyond u = 40 the integrand is 1/(2u) to 4e-18, which is an
- * angle, as for the quartic; inside the same panels do (one panel in a tangent, as in the notes: 3e-7).
+ * Segments: its closed form has an error function and cancels beyond the ends, so it is integrated: panels
+ * of 16 Gauss points at most 3.2 long leave 1e-15 of the value even in the tails (ten points either side of the foot: 1e-8).
+ * Polygons: d ∫ (1 − e^−u)/(2u) dτ, u = d² + τ², an edge (Green). Beyond u = 40 the integrand is 1/(2u) to 4e-18, which is an
+ * angle, as for the quartic; inside the same panels do (16 points in one tangent: 3e-7).
  */
 import { exp, expm1 } from '../math/exp.ts';
 import { PI } from '../math/trig.ts';

@@ -1,7 +1,7 @@
 /**
  * The inverse kernel 1/r (Jin & Tai 2002): the potential of a charge, in units of the skel's size.
  *
- * Segments: FIELD-NOTES §2. Polygons, which the notes leave out: d ∫ r⁻¹ − z² (solid angle)/|z|, finite on the plate itself (powerEdge.ts).
+ * Segments: oddMoments.ts. Polygons, which no paper has: d ∫ r⁻¹ − z² (solid angle)/|z|, finite on the plate itself (powerEdge.ts).
  * Whole lines and planes have no finite field: weights need the length or the area of the skel.
  */
 

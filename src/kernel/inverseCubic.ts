@@ -1,7 +1,7 @@
 /**
  * The inverse cubic kernel 1/r³ (Jin & Tai 2002), in units of the skel's size.
  *
- * Segments: FIELD-NOTES §2. Polygons: FIELD-NOTES §3, the solid angle over |z|.
+ * Segments: oddMoments.ts. Polygons: the solid angle over |z|.
  */
 import { PI } from '../math/trig.ts';
 import { powerChange } from './change.ts';

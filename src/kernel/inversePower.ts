@@ -2,9 +2,9 @@
  * The integral of (M² + τ²)^(−n/2) with a polynomial weight along a line, for whole n from 1 to 6: all inverse powers, the
  * Cauchy kernel and its family.
  *
- * Theory: FIELD-NOTES §2. The weight is expanded about the foot of the perpendicular, and each power of τ has a closed form.
- * Far away that expansion cancels, so there ten Gauss points take t itself. The notes switch at R0 + R1 > 3 l; R0² + R1² >
- * 5 l² is the same to 5 % and needs no root.
+ * The weight is expanded about the foot of the perpendicular, and each power of τ has a closed form.
+ * Far away that expansion cancels, so there ten Gauss points take t itself: where R0² + R1² > 5 l², which is R0 + R1 > 3 l
+ * to 5 % without a root.
  */
 import { GAUSS } from '../math/gaussLegendre.ts';
 import { EvenMoments } from './evenMoments.ts';

@@ -1,7 +1,7 @@
 /**
  * The inverse quintic kernel 1/r⁵ (Jin & Tai 2002), in units of the skel's size.
  *
- * Segments: FIELD-NOTES §2. Polygons: FIELD-NOTES §3.
+ * Segments: oddMoments.ts. Polygons: from the solid angle by recurrence in n (powerEdge.ts).
  */
 import { PI } from '../math/trig.ts';
 import { powerChange } from './change.ts';

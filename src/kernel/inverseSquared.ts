@@ -1,7 +1,7 @@
 /**
  * The inverse squared kernel 1/r² (Jin & Tai 2002), in units of the skel's size.
  *
- * Segments: FIELD-NOTES §2. Polygons, which the notes leave out: value by quadrature, gradient closed (powerEdge.ts); on
+ * Segments: evenMoments.ts. Polygons, which no paper has: value by quadrature, gradient closed (powerEdge.ts); on
  * the plate itself it diverges like a logarithm.
  */
 import { PI } from '../math/trig.ts';

@@ -1,7 +1,7 @@
 /**
  * ∫ τ^k r^−n along a line, r² = M² + τ², n = 1, 3, 5, 7: what odd inverse powers are made of.
  *
- * Theory: FIELD-NOTES §2, the family of square roots; S = τ/r turns n = 5 and 7 into polynomials of S, which three Gauss
+ * ∫ r⁻¹ is ln((r0 + r1 + l)/(r0 + r1 − l)), the others follow by parts; S = τ/r turns n = 5 and 7 into polynomials of S, which three Gauss
  * points integrate exactly. Departure: the logarithm of n = 1 as log1p, so that it keeps its digits for far edges.
  */
 import { log1p } from '../math/log.ts';

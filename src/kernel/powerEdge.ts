@@ -2,11 +2,11 @@
  * An edge's share of the integral of (m + ρ²)^(−n/2) over a polygon, ρ in its plane: m = z² for inverse powers, z² + 1 for
  * the Cauchy family.
  *
- * Theory: FIELD-NOTES §3 in one recurrence. With P_n = Σ d ∫ (m^(1−n/2) − (m + u)^(1−n/2))/u dτ, u = d² + τ², the polygon is
+ * Theory: Green over the loops, one recurrence for all n. With P_n = Σ d ∫ (m^(1−n/2) − (m + u)^(1−n/2))/u dτ, u = d² + τ², the polygon is
  * P_n/(n − 2), its gradient −Σ n ∫ (m + u)^(−n/2) dτ in the plane and −z P_(n+2) along z, and
  * P_(n+2) = (P_n + d ∫ (m + u)^(−n/2) dτ)/m. P_2 = 0 starts the even ones, P_3 = the solid angle over √m the odd ones.
  * Departures: n = 2 has a dilogarithm for its value, and other n no closed form: panels of 16 Gauss points in asinh τ, whose
- * integrand is analytic in a strip of half width π/2 however small m and d are (a tangent, as the notes take for the
+ * integrand is analytic in a strip of half width π/2 however small m and d are (a tangent, as one may take for the
  * Gaussian, leaves a logarithm at its end: 1e-5).
  */
 import { fastAtan2 } from '../math/atan.ts';

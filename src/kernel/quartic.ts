@@ -2,7 +2,7 @@
  * The quartic polynomial (1 − r²/R²)² within R (Zhu et al. 2011 §3.1), in units of R: nothing beyond.
  *
  * Segments: clipped to the support, where four Gauss points are exact for weights up to degree 3, gradient included
- * (FIELD-NOTES §2). Polygons: FIELD-NOTES §3, per edge without lists of intersections: three exact points inside the disc
+ * (the integrand has degree 7). Polygons: Green, per edge without lists of intersections: three exact points inside the disc
  * and the angle of what is outside. Zhu's (12) is right but sorts at most sixteen intersections; winding numbers with
  * inside angles only are cheaper but wrong for points exactly over an edge or a vertex.
  */

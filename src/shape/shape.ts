@@ -1,7 +1,7 @@
 /**
  * Analytic FRep primitives: plain data that becomes a field of its own. Inside is where the value is positive: shapes are
  * minus their distance (or a function whose gradient has length 1 on the surface), so that they meet convolution
- * sums, which come in as F − T (Kravtsov et al. §1.2; FIELD-NOTES §5).
+ * sums, which come in as F − T (Kravtsov et al. §1.2, whose operations need a surface at 0).
  */
 import type { Vec3 } from '../math/vec.ts';
 import type { Box, FieldValue, Spread } from '../skeleton/skeleton.ts';

@@ -1,5 +1,5 @@
 /**
- * A planar region, concave and with holes: a sum over its edges (FIELD-NOTES §3), no triangles, no clipping.
+ * A planar region, concave and with holes: a sum over its edges (Green; docs/fields.md), no triangles, no clipping.
  *
  * Zhu et al. 2011 §3.3 need the projection's winding number, sorted intersections with a disc (at most sixteen), and axes
  * along the edges. Here each edge brings its whole share, angles included, so that points exactly over an edge or a vertex

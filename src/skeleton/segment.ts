@@ -1,7 +1,7 @@
 /**
  * A straight segment with a polynomial weight of degree 0–3 (Jin & Tai 2002).
  *
- * FIELD-NOTES §2: the perpendicular from the nearer end, made orthogonal twice, and the stored length between alpha and beta;
+ * From the point: the perpendicular from the nearer end, made orthogonal twice, and the stored length between alpha and beta;
  * d² − h² never, because it loses all digits beyond an end. A segment of no length has no field (an integral over nothing);
  * a lump is a point skel.
  */

@@ -50,7 +50,7 @@ export interface SkelField {
   ahead(ball: Ball, factor: number, out: Ahead): void;
   /** of the skel itself, without its field */
   readonly box: Box;
-  /** mm from the skel beyond which |value| < `threshold`; 0 when it is nowhere larger (FIELD-NOTES §1, Z(17)–(19) corrected) */
+  /** mm from the skel beyond which |value| < `threshold`; 0 when it is nowhere larger (docs/fields.md, “In print”: Zhu et al. 2011 (17)–(19)) */
   offset(threshold: number): number;
 }
 

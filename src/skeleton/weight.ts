@@ -5,7 +5,7 @@
  * surface is a distance r away where w ∬ f = T. A finite skel is thinner: the ends of a uniform Cauchy segment have 0.58–0.79
  * of its middle's radius; with its length or area given, its own middle is at r. 1/r needs the length,
  * 1/r and 1/r² the area: of whole lines and planes their field is infinite. Tai et al. 2004 (22)–(24) leave out cross terms
- * that are not small (FIELD-NOTES §1), so their ends come out at 0.42–0.83 T; a fit of several weights is the medial
+ * that are not small, so their ends come out at 0.42–0.83 T; a fit of several weights is the medial
  * skeleton's business.
  */
 import { type Kernel, type KernelParams, LineFrame } from '../kernel/kernel.ts';

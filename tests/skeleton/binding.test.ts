@@ -215,7 +215,7 @@ describe('boxes and offsets', () => {
     expect(bindSkel(square, cauchy, {}).box).toEqual({ min: [0, 1, 3], max: [2, 3, 3] });
   });
 
-  it('are those of the notes where these have a formula and the skel is large', () => {
+  it('are the closed forms of infinite lines, points and plates where the skel is large', () => {
     const [s, w, T] = [4, 2, 0.3];
     const long: Skel = { type: 'segment', a: [-500, 0, 0], b: [500, 0, 0], weights: [w] };
     const line = Math.sqrt(((Math.PI * w) / (2 * s * T)) ** (2 / 3) - 1) / s;

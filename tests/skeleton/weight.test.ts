@@ -68,7 +68,7 @@ describe.each(variants)('with the kernel $title', ({ kernel, params, exponent })
 
 describe('weights', () => {
   const cauchy = kernelNamed('cauchy')!;
-  it('are those of the notes', () => {
+  it('are the closed forms', () => {
     const [s, r] = [0.4, 3];
     close(lineWeight(cauchy, { s }, r, T), (2 * s * T * (1 + s * s * r * r) ** 1.5) / Math.PI, 1e-14);
     close(widthFor(cauchy, {}, 4).s!, 0.2, 1e-12);

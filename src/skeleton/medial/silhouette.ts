@@ -9,6 +9,7 @@ import type { Vec2 } from '../../math/vec.ts';
 import { type MedialAxis, type MedialGraph, medialAxis } from './axis.ts';
 import { FITTING, type FitOptions, type Fitted, fitWeights } from './fit.ts';
 import { along, type Loop, roundOf, sizeOf, spaced } from './outline.ts';
+import { joined, piecesOf } from './pieces.ts';
 import { PRUNING, type PruneOptions, prune, prunings } from './prune.ts';
 import { prunePaper } from './prunePaper.ts';
 import { sampledLoops } from './sampled.ts';
@@ -31,7 +32,8 @@ export function skeletonOf(
   options: PruneOptions & SimplifyOptions = { ...PRUNING, ...SIMPLIFYING },
 ): MedialGraph {
   const { axis, fine } = axisOf(held(loops), PLACES);
-  return simplify(prune(axis, fine, options), options);
+  const pruned = piecesOf(axis, fine).map(({ graph, loops }) => prune(graph, loops, options));
+  return simplify(joined(pruned), options);
 }
 
 /** As Tai et al. 2004 have it, from places as theirs. */
@@ -147,7 +149,12 @@ function skeletonsOf(loops: readonly Loop[], quick: boolean): readonly (() => Me
   const { axis, fine } = axisOf(loops, quick ? QUICK : PLACES);
   if (!axis.nodes.some(({ radius }) => radius > HELD * sizeOf(loops))) return [];
   const branches = levels.map(({ branch }) => branch);
-  return prunings(axis, fine, branches).map((make, level) => () => simplify(make(), levels[level]!.few));
+  const pieces = piecesOf(axis, fine).map(({ graph, loops }) => prunings(graph, loops, branches));
+  return levels.map(
+    ({ few }, level) =>
+      () =>
+        simplify(joined(pieces.map((makes) => makes[level]!())), few),
+  );
 }
 
 /** Loops of at least three different places that are numbers. */

@@ -25,7 +25,9 @@ const LEAST = 0.4;
 
 /** of a skeleton, as long as fewer joints and ends do: what is as thin as a hair is not followed at every width */
 const MOST_NODES = 80;
-/** by how much pieces grow until they are few enough */
+/** shares of the largest radius as which thinner circles count, one after the other, until pieces are few enough: a hair takes none from a body */
+const FLOORS = [0, 0.01, 0.03, 0.1];
+/** by how much pieces grow then */
 const COARSER = 1.6;
 
 export function simplify(graph: MedialGraph, options: SimplifyOptions = SIMPLIFYING): MedialGraph {
@@ -33,10 +35,12 @@ export function simplify(graph: MedialGraph, options: SimplifyOptions = SIMPLIFY
   const whole = chainsOf(joined);
   let { deviation, longest } = options;
   let chains = whole;
-  for (let tries = 0; tries < 12; tries++) {
-    chains = whole.map((chain) => thinned(joined.nodes, chain, { ...options, deviation, longest }));
+  const largest = joined.nodes.reduce((most, { radius }) => Math.max(most, radius), 0);
+  for (let tries = 0; tries < 12 + FLOORS.length; tries++) {
+    const floor = (FLOORS[tries] ?? FLOORS.at(-1)!) * largest;
+    chains = whole.map((chain) => thinned(joined.nodes, chain, { deviation, longest, floor }));
     if (new Set(chains.flat()).size <= MOST_NODES) break;
-    [deviation, longest] = [COARSER * deviation, COARSER * longest];
+    if (tries >= FLOORS.length - 1) [deviation, longest] = [COARSER * deviation, COARSER * longest];
   }
   const used = [...new Set(chains.flat())];
   const index = new Map(used.map((old, i) => [old, i]));
@@ -46,8 +50,13 @@ export function simplify(graph: MedialGraph, options: SimplifyOptions = SIMPLIFY
   return { nodes: used.map((old) => joined.nodes[old]!), links };
 }
 
+interface Coarse extends Pick<SimplifyOptions, 'deviation' | 'longest'> {
+  /** mm: circles count as no smaller */
+  readonly floor: number;
+}
+
 /** The chain with fewer nodes; a ring keeps four at least. */
-function thinned(nodes: readonly MedialNode[], chain: Chain, options: SimplifyOptions): Chain {
+function thinned(nodes: readonly MedialNode[], chain: Chain, options: Coarse): Chain {
   const last = chain.length - 1;
   if (last > 3 && chain[0] === chain[last]) {
     const cuts = [0, 1, 2, 3, 4].map((quarter) => Math.round((quarter * last) / 4));
@@ -63,10 +72,10 @@ function between(
   chain: Chain,
   from: number,
   to: number,
-  options: SimplifyOptions,
+  options: Coarse,
 ): Chain {
   const [a, b] = [nodes[chain[from]!]!, nodes[chain[to]!]!];
-  const least = LEAST * Math.max(...chain.map((node) => nodes[node]!.radius));
+  const least = Math.max(LEAST * Math.max(...chain.map((node) => nodes[node]!.radius)), options.floor);
   let worst = options.deviation;
   let at = -1;
   for (let i = from + 1; i < to; i++) {
@@ -74,7 +83,7 @@ function between(
     const off = deviation(node, a, b) / Math.max(node.radius, least);
     if (off > worst) [worst, at] = [off, i];
   }
-  if (at < 0) at = tooLong(nodes, chain, from, to, options.longest);
+  if (at < 0) at = tooLong(nodes, chain, from, to, options);
   if (at < 0) return from === to ? [chain[from]!] : [chain[from]!, chain[to]!];
   return [...between(nodes, chain, from, at, options), ...between(nodes, chain, at, to, options).slice(1)];
 }
@@ -85,11 +94,11 @@ function tooLong(
   chain: Chain,
   from: number,
   to: number,
-  longest: number,
+  { longest, floor }: Coarse,
 ): number {
   const [a, b] = [nodes[chain[from]!]!, nodes[chain[to]!]!];
   const length = length2(sub2(b.at, a.at));
-  if (to - from < 2 || length <= longest * Math.max(a.radius, b.radius)) return -1;
+  if (to - from < 2 || length <= longest * Math.max(a.radius, b.radius, floor)) return -1;
   const off = (i: number) => Math.abs(length2(sub2(nodes[chain[i]!]!.at, a.at)) - 0.5 * length);
   let at = from + 1;
   for (let i = from + 2; i < to; i++) if (off(i) < off(at)) at = i;
