@@ -28,7 +28,7 @@ export function firstHit(field: TreeField, ray: Ray, start: number, end: number,
     const middle = 0.5 * (low + high);
     field.range(...placeOn(ray, middle), 0.5 * (high - low), range);
     if (range[1]! <= 0) continue;
-    if (high - low < least || range[0]! > 0) {
+    if (high - low <= least || range[0]! > 0) {
       const inside = [high, middle, low].findLast((t) => valueAt(t) > 0);
       touch = Math.max(touch, valueAt(low), valueAt(middle), valueAt(high));
       if (inside === undefined) continue;
