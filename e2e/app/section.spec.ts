@@ -114,7 +114,7 @@ test('the mouse draws across a kept part, and is told what is missing', async ({
   const mouse = await PenDriver.on(page, 'mouse');
   await page.locator('.stage').focus();
   await page.keyboard.press('l');
-  await expect(said(page)).toContainText('Draw two sides first');
+  await expect(said(page)).toContainText('Draw a tube or two sides first');
   await page.keyboard.press('d');
   await mouse.draw(LEFT);
   await mouse.draw(RIGHT);
@@ -125,3 +125,18 @@ test('the mouse draws across a kept part, and is told what is missing', async ({
   await page.getByRole('button', { name: 'Undo' }).click();
   expect((await facts(page)).parts).toEqual(['rotational']);
 });
+
+for (const pointer of ['pen', 'mouse'] as const)
+  test(`across a tube a stroke is its section, with ${pointer}`, async ({ page }) => {
+    await open(page);
+    const pen = await PenDriver.on(page, pointer);
+    await pen.draw(LEFT);
+    await page.locator('.stage').focus();
+    await page.keyboard.press('l');
+    await pen.move([490, 360], 0, 'none');
+    await expect(said(page)).toContainText('Draw a section at 50 %');
+    await pen.draw(line([470, 360], [512, 360], [0, 14]));
+    expect(await facts(page)).toMatchObject({ kind: 'crossSection', sections: [50] });
+    await page.getByRole('button', { name: 'Undo' }).click();
+    expect((await facts(page)).kind).toBe('tube');
+  });

@@ -50,11 +50,18 @@ const noneAt = (list: readonly unknown[], index: number, what: string): Fault | 
 
 function noSection(
   { sections }: SurfaceForm,
-  { index, only }: { readonly index: number; readonly only?: 'back' | 'redraw' },
+  { index, only, redraw }: Pick<Extract<Command, { type: 'removeSection' }>, 'index' | 'only' | 'redraw'>,
 ): Fault | null {
+  if (redraw !== undefined && only !== 'redraw')
+    return { expected: '"redraw" beside a number of what was drawn over it', path: ['only'] };
   const section = sections[index];
   if (!section || !only) return noneAt(sections, index, 'a section');
-  const isThere = only === 'back' ? section.back !== null : section.redraws.length > 0;
+  const { back, redraws } = section;
+  if (redraw !== undefined && redraws.length > 0) {
+    const stray = noneAt(redraws, redraw, 'a redrawing');
+    return stray && { ...stray, path: ['redraw'] };
+  }
+  const isThere = only === 'back' ? back !== null : redraws.length > 0;
   const what = only === 'back' ? 'a back' : 'something drawn over it';
   return isThere ? null : { expected: `a section that has ${what} by then`, path: ['only'] };
 }

@@ -73,7 +73,12 @@ const kinds = [
   kind('moveGroups', { ids, to: v.nullable(joins) }),
   kind('editSkeleton', { id: name, skeleton: v.nullable(skeleton) }),
   kind('addSection', { ...whose, u, drawn: sectionStroke, side: v.exactOptional(oneOf(['front', 'back'])) }),
-  kind('removeSection', { ...whose, index, only: v.exactOptional(oneOf(['back', 'redraw'])) }),
+  kind('removeSection', {
+    ...whose,
+    index,
+    only: v.exactOptional(oneOf(['back', 'redraw'])),
+    redraw: v.exactOptional(index),
+  }),
   kind('redrawSection', {
     ...whose,
     u,

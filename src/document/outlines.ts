@@ -18,6 +18,7 @@ import { curveOfStroke } from './curves.ts';
 import type { Brush } from './document.ts';
 import {
   type Back,
+  type RedrawnStroke,
   type Section,
   type SectionStroke,
   type SurfaceForm,
@@ -79,10 +80,33 @@ function outlineIn(section: Section, back: Back, brush: Filter, source: () => So
 }
 
 const drawnOver = (outline: Outline, { redraws }: Section, brush: Filter): Outline =>
-  redraws.reduce((before, { stroke, half }) => {
-    const curve = curveOfStroke(stroke, brush);
-    return curve ? redrawn(before, scaled(curve, 1 / half), sightOn(stroke)) : before;
-  }, outline);
+  redraws.reduce((before, drawn) => withRedraw(before, drawn, brush), outline);
+
+/** The outline itself where the stroke lies over no part of it. */
+function withRedraw(outline: Outline, { stroke, half }: RedrawnStroke, brush: Filter): Outline {
+  const curve = curveOfStroke(stroke, brush);
+  return curve ? redrawn(outline, scaled(curve, 1 / half), sightOn(stroke)) : outline;
+}
+
+/** What was drawn over parts of sections that are no longer there, as after an earlier redrawing went: it is passed over. */
+export function idleRedraws(
+  kind: SurfaceKind,
+  form: Pick<SurfaceForm, 'strokes' | 'sections' | 'back' | 'between'>,
+  brush: Filter,
+  curves: readonly Curve[],
+): readonly RedrawnStroke[] {
+  const sections = sectionsInForce(kind, form.sections);
+  return sections.flatMap((section, i) => {
+    if (section.redraws.length === 0) return [];
+    const bare = sections.map((other) => (other === section ? { ...section, redraws: [] } : other));
+    let outline = outlinesOf(kind, { ...form, sections: bare }, brush, curves)[i]!.outline;
+    return section.redraws.filter((drawn) => {
+      const before = outline;
+      outline = withRedraw(before, drawn, brush);
+      return outline === before;
+    });
+  });
+}
 
 /** The person who drew it, as seen on its plane. */
 function sightOn({ plane: { x, y }, view }: Stroke): Vec2 {

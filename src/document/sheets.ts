@@ -10,8 +10,8 @@ import type { Sheet } from '../surface/sheet.ts';
 import { within } from '../surface/sideView.ts';
 import { curveOfStroke } from './curves.ts';
 import type { Brush } from './document.ts';
-import { outlinesOf } from './outlines.ts';
-import type { Bend, Between, Detail, Section, SurfaceForm } from './surfacePart.ts';
+import { idleRedraws, outlinesOf } from './outlines.ts';
+import type { Bend, Between, Detail, RedrawnStroke, Section, SurfaceForm } from './surfacePart.ts';
 
 /** Quads along and around a parametric surface. */
 export interface Resolution {
@@ -154,6 +154,12 @@ export function controlLinesOf(
 export function outlinesOfPart(kind: SurfaceKind, form: SurfaceForm, brush: Brush): readonly PlacedOutline[] {
   const curves = curvesOf(form.strokes, brush);
   return curves ? outlinesOf(kind, form, brush, curves) : [];
+}
+
+/** What was drawn over parts of its sections that are no longer there (outlines.ts). */
+export function idleRedrawsOf(kind: SurfaceKind, form: SurfaceForm, brush: Brush): readonly RedrawnStroke[] {
+  const curves = form.sections.length > 0 ? curvesOf(form.strokes, brush) : null;
+  return curves ? idleRedraws(kind, form, brush, curves) : [];
 }
 
 /** Null where one is too short to be a line. */

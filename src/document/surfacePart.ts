@@ -205,31 +205,45 @@ export function withStrokes<F extends Pick<SurfaceForm, 'strokes' | 'sections' |
 
 /**
  * Sections in order, with one more. The nearest one at the same place is replaced, and no other: where two are so near, the new one stands
- * exactly where the old one stood.
+ * exactly where the old one stood. `isRing`, here and below: u = 1 is u = 0.
  */
-export function withSection(sections: readonly Section[], section: Section): readonly Section[] {
-  const old = sectionThere(sections, section.u);
+export function withSection(
+  sections: readonly Section[],
+  section: Section,
+  isRing = false,
+): readonly Section[] {
+  const old = sectionThere(sections, section.u, isRing);
   const others = sections.filter((other) => other !== old);
-  const u = old && isThere(others, section.u) ? old.u : section.u;
+  const u = old && isThere(others, section.u, isRing) ? old.u : section.u;
   return [...others, { ...section, u }].sort((a, b) => a.u - b.u);
 }
+
+/** Closed construction curves go round. */
+export const isRing = ({ strokes }: Pick<SurfaceForm, 'strokes'>): boolean =>
+  strokes.every(({ closed }) => closed);
 
 /** u nearer than this are one place: two sections there would be a step */
 export const SAME_PLACE = 0.01;
 
-export const isSamePlace = (a: number, b: number): boolean => Math.abs(a - b) < SAME_PLACE;
+export const isSamePlace = (a: number, b: number, isRing = false): boolean =>
+  distanceOf(a, b, isRing) < SAME_PLACE;
 
-/** The one at u, whose place another would take; null without any. */
-export function sectionThere(sections: readonly Section[], u: number): Section | null {
-  const nearest = sections[nearestSection(sections, u)];
-  return nearest && isSamePlace(nearest.u, u) ? nearest : null;
+function distanceOf(a: number, b: number, isRing: boolean): number {
+  const straight = Math.abs(a - b);
+  return isRing ? Math.min(straight, 1 - straight) : straight;
 }
 
-export const isThere = (sections: readonly Section[], u: number): boolean =>
-  sectionThere(sections, u) !== null;
+/** The one at u, whose place another would take; null without any. */
+export function sectionThere(sections: readonly Section[], u: number, isRing = false): Section | null {
+  const nearest = sections[nearestSection(sections, u, isRing)];
+  return nearest && isSamePlace(nearest.u, u, isRing) ? nearest : null;
+}
+
+export const isThere = (sections: readonly Section[], u: number, isRing = false): boolean =>
+  sectionThere(sections, u, isRing) !== null;
 
 /** Index of the section nearest to u; −1 without any. */
-export function nearestSection(sections: readonly Section[], u: number): number {
-  const distances = sections.map((section) => Math.abs(section.u - u));
+export function nearestSection(sections: readonly Section[], u: number, isRing = false): number {
+  const distances = sections.map((section) => distanceOf(section.u, u, isRing));
   return distances.indexOf(Math.min(...distances));
 }

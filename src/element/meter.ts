@@ -1,6 +1,6 @@
 /** What the strokes are now, and what one more, or leaving the outline open, would make of them. */
 import { html, nothing, type TemplateResult } from 'lit';
-import { readingOf, staysTubes } from '../document/document.ts';
+import { type Document, readingOf, staysTubes } from '../document/document.ts';
 import { kindOfStrokes } from '../document/surfacePart.ts';
 import type { SurfaceKind } from '../surface/index.ts';
 import { icon } from './icons.ts';
@@ -59,9 +59,8 @@ function numbered(session: Session): TemplateResult | typeof nothing {
 }
 
 function stepButton(session: Session, step: SurfaceKind, i: number, now: number): TemplateResult {
-  const { tubesOnly } = session.document;
-  const pinned = step === 'tube' && tubesOnly;
-  const state = pinned ? 'pinned' : i < now ? 'done' : i === now ? 'current' : 'next';
+  const state = stateOf(session.document, step);
+  const pinned = state === 'pinned';
   const { name, number } = METER_WORDS.steps[step];
   const sign = { pinned: 'lock', done: 'check', current: null, next: null } as const;
   const hold = step === 'tube' ? holdOf(session) : null;
@@ -73,6 +72,20 @@ function stepButton(session: Session, step: SurfaceKind, i: number, now: number)
   </button>`;
 }
 
+/** How far a step is, of an unfinished surface. */
+export function stateOf(document: Document, step: SurfaceKind): 'pinned' | 'done' | 'current' | 'next' {
+  if (step === 'tube' && document.tubesOnly) return 'pinned';
+  const kind = readingOf(document);
+  if (kind === null || kind === 'solid') return 'next';
+  if (step === kind) return 'current';
+  const isPassed = STEPS.indexOf(kind) > STEPS.indexOf(step);
+  return isPassed && !lacksSide(document, step) ? 'done' : 'next';
+}
+
+/** Sections across one stroke never were round between two. */
+const lacksSide = ({ draft }: Document, step: SurfaceKind): boolean =>
+  step === 'rotational' && (draft?.strokes.length ?? 0) < 2;
+
 /** Back to what fewer strokes make, on to what there are strokes for, or the tool that draws what is missing: one undo step. */
 export function takeStep(session: Session, step: SurfaceKind): void {
   const { document } = session;
@@ -81,9 +94,10 @@ export function takeStep(session: Session, step: SurfaceKind): void {
   if (!draft || kind === null || kind === 'solid') return;
   const to = STEPS.indexOf(step);
   const whole = kindOfStrokes({ strokes: draft.strokes, sections: draft.sections ?? [] });
-  if (to > STEPS.indexOf(whole)) {
+  if (to > STEPS.indexOf(whole) || lacksSide(document, step)) {
     if (staysTubes(document)) session.run({ type: 'setTubesOnly', on: false });
     if (to > 1) session.setTool('section');
+    else if (session.tool !== 'draw') session.setTool('draw');
   } else if (step === 'tube' && staysTubes(document)) session.run({ type: 'setTubesOnly', on: false });
   else if (step !== kind) session.run({ type: 'setForm', form: step === whole ? null : step });
 }

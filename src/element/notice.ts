@@ -2,7 +2,7 @@
 import type { Document } from '../document/document.ts';
 import type { Vec3 } from '../math/vec.ts';
 import type { View } from '../stroke/stroke.ts';
-import { SILHOUETTE_WORDS, WORDS } from './words.ts';
+import { EDIT_WORDS, SILHOUETTE_WORDS, WORDS } from './words.ts';
 
 export interface Notice {
   readonly text: string;
@@ -38,3 +38,7 @@ export function pointNotice(make: () => void): Notice {
 
 /** Whether Keep takes it. */
 export const isOffer = (notice: Notice | null): notice is Notice => notice?.text === WORDS.orPoint;
+
+/** Whether it asks for another view of a section. */
+export const isTurn = (notice: Notice | null): notice is Notice =>
+  notice?.text === EDIT_WORDS.said['section-edge-on'];

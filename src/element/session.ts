@@ -37,7 +37,15 @@ import { Frames } from './frames.ts';
 import { Looks } from './looks.ts';
 import { marginsInHand } from './margins.ts';
 import type { NoPicture } from './noPicture.ts';
-import { crossingNotice, edgeOnNotice, isOffer, type Notice, passing, pointNotice } from './notice.ts';
+import {
+  crossingNotice,
+  edgeOnNotice,
+  isOffer,
+  isTurn,
+  type Notice,
+  passing,
+  pointNotice,
+} from './notice.ts';
 import type { Picked } from './picked.ts';
 import { pickAt } from './picking.ts';
 import { Rays } from './rays.ts';
@@ -203,6 +211,11 @@ export class Session implements Bench, Viewport {
   #say(words: string): void {
     this.said = words;
     this.update();
+  }
+
+  /** What the view was to be turned for is seen. */
+  seenAgain(): void {
+    if (isTurn(this.notice)) this.notice = null;
   }
 
   #clearPassing(): void {

@@ -8,6 +8,7 @@
  */
 import { length2, scale2 } from '../math/tuple.ts';
 import type { Vec2 } from '../math/vec.ts';
+import { IN_BREAK } from './knots.ts';
 import { ascending } from './monotone.ts';
 import type { Outline } from './outline.ts';
 
@@ -52,7 +53,12 @@ export function alike(outlines: readonly Outline[]): Alike {
   const parts = still.slice(1).map((to, i) => common(outlines, still[i]!, to));
   const atStill = still
     .slice(0, -1)
-    .filter((end) => !closed || outlines.some((o) => cornersAt(o, end) || changesSpeed(o, end)));
+    .filter(
+      (end) =>
+        !closed ||
+        parts.some(({ places }) => places.some((v) => isBeside(v, end))) ||
+        outlines.some((o) => cornersAt(o, end) || changesSpeed(o, end)),
+    );
   const creases = [...parts.flatMap(({ places }) => places), ...atStill].sort((a, b) => a - b);
   const seamless = creases.length === 0;
   const breaks = seamless ? [0, 1] : [...creases, closed ? creases[0]! + 1 : 1];
@@ -86,6 +92,9 @@ function ownPlace(parts: readonly Part[], k: number, v: number): number {
   }
   return v;
 }
+
+/** Too near for columns of one piece (knots.ts): q_l and q_r would have none, if they were not creases too. */
+const isBeside = (v: number, end: number): boolean => Math.abs(v - end - Math.round(v - end)) <= IN_BREAK;
 
 /** Where front and back of a closed outline meet smoothly but run on at other speeds, a spline would ripple. */
 function changesSpeed(outline: Outline, end: number): boolean {

@@ -4,10 +4,12 @@
  * A mirrored front encloses what lies between it and its mirror image, whichever of the two is before the other: the front
  * is |y|, at least a thousandth of the half chord. So hollow fronts are not turned inside out, lobes of fronts that cross the
  * chord hang together by a web, and a straight front makes a plate: all of them solids, which y and −y alone are not.
+ * A back that is drawn may cross the front: then they change places (uncrossed.ts).
  */
 import { dot2, length2, scale2 } from '../math/tuple.ts';
 import type { Vec2 } from '../math/vec.ts';
 import { type Outline, roundHalf } from './outline.ts';
+import { uncrossed } from './uncrossed.ts';
 
 /** half the thickness of plates and webs, in half chords */
 const PLATE = 1e-3;
@@ -29,7 +31,7 @@ export function joined(front: Outline, drawn: Outline | 'mirror'): Outline {
     return smooth(across, [-x, -y]);
   };
   const seams = [seam(0), seam(1)] as const;
-  return {
+  return uncrossed({
     closed: true,
     corners: [
       ...(seams[0] ? [] : [0]),
@@ -50,7 +52,7 @@ export function joined(front: Outline, drawn: Outline | 'mirror'): Outline {
         ? scale2(over.derivative(2 * w, side), 2)
         : scale2(under.derivative(w === 0 ? 0 : 2 * (1 - w), side === 1 ? -1 : 1), -2);
     },
-  };
+  });
 }
 
 /** A back is the mirror image of a front that crosses the chord: as they are they go round an eight, which has no inside. */

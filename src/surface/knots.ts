@@ -17,7 +17,7 @@ export interface KnotPiece {
 }
 
 /** places nearer to a break are in it */
-const IN_BREAK = 2e-3;
+export const IN_BREAK = 2e-3;
 
 /**
  * Pieces between ascending breaks, `spans` shared out by length (about as many in all). Each piece gets at least `least` of it,

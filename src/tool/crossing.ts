@@ -12,6 +12,8 @@ import { LEAST_LENGTH, type Trace } from './trace.ts';
 
 /** of the chord: from here on the stroke is a section, and is shown as one */
 const HALF = 0.5;
+/** of the chord: what a stroke crosses at least; narrow forms are within reach of both sides at once */
+const LEAST_SPAN = 0.4;
 /** points of what is not drawn yet */
 const REST = 16;
 
@@ -35,9 +37,11 @@ export function marksOf(crossing: Crossing, bench: Bench): readonly Mark[] {
 /** It would be a section if the pen were lifted now. */
 export function isPastMiddle({ guide, pens, length }: Crossing, { viewport }: Bench): boolean {
   const last = pens.at(-1)!;
+  const progress = progressOf(guide, last, viewport);
   return (
     length >= LEAST_LENGTH &&
-    progressOf(guide, last, viewport) > HALF &&
+    progress > HALF &&
+    progress - progressOf(guide, pens[0]!, viewport) >= LEAST_SPAN &&
     isWithin(guide.across, last, viewport)
   );
 }

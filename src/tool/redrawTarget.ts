@@ -10,7 +10,7 @@ import {
   sectionSeenAt,
   sectionThrough,
 } from '../document/sectionLoops.ts';
-import { nearestSection } from '../document/surfacePart.ts';
+import { isRing, nearestSection } from '../document/surfacePart.ts';
 import { UNMOVED } from '../math/placement.ts';
 import { cross3, dot3, rotate3 } from '../math/tuple.ts';
 import type { Vec3 } from '../math/vec.ts';
@@ -181,5 +181,5 @@ function sectionOf(
 /** Of patches one of their own sections is redrawn; others are the same all along. */
 function ownPlace({ kind, form }: Candidate, u: number): number {
   if (kind !== 'bspline') return u;
-  return form.sections[nearestSection(form.sections, u)]?.u ?? u;
+  return form.sections[nearestSection(form.sections, u, isRing(form))]?.u ?? u;
 }

@@ -45,10 +45,10 @@ const MAKERS: readonly ((from: Choice, ids: readonly string[]) => Command)[] = [
     ...whose(ids),
   }),
   ({ u, across }, ids) => ({ type: 'addSection', u, drawn: across, ...whose(ids) }),
-  ({ index, flag }, ids) => ({
+  ({ index, flag, back }, ids) => ({
     type: 'removeSection',
     index,
-    ...(flag && { only: 'redraw' }),
+    ...(flag && { only: 'redraw', ...(back === 'drawn' && { redraw: 0 }) }),
     ...whose(ids),
   }),
   ({ u, onSection, flag }, ids) => ({

@@ -198,6 +198,7 @@ describe('sections', () => {
     const least = after([{ type: 'removeSection', index: 0, only: 'redraw' }], less);
     expect(least.draft!.sections![0]!.redraws).toEqual([]);
     expect(after([{ type: 'removeSection', index: 0, only: 'redraw' }], least)).toBe(least);
+    expect(after([{ type: 'removeSection', index: 0, only: 'redraw', redraw: 1 }], less)).toBe(less);
     const none = after([{ type: 'removeSection', index: 0 }], least);
     expect(readingOf(none)).toBe('rotational');
     expect(none.draft!.sections).toBeUndefined();
@@ -584,3 +585,31 @@ function expectSamePlaces(found: readonly Vec3[], wanted: readonly Vec3[], withi
   for (let i = 0; i < found.length; i += 97) expect(away(found[i]!, wanted)).toBeLessThan(within);
   for (let i = 0; i < wanted.length; i += 97) expect(away(wanted[i]!, found)).toBeLessThan(within);
 }
+
+describe('sections of a ring', () => {
+  const ring = strokeAlong((t) => [40 * Math.sin(2 * Math.PI * t), 40 * Math.cos(2 * Math.PI * t)], {
+    closed: true,
+  });
+  const drawn = (depth: number) => ({
+    stroke: strokeAlong((t) => [36 + 8 * t, depth * t * (1 - t)], { plane: ring.plane }),
+    half: null,
+  });
+
+  it.each([
+    [0, 0.995],
+    [0.995, 0],
+  ])('are one place across the seam: %f, then %f', (first, second) => {
+    const tube = after([
+      { type: 'addStroke', stroke: ring },
+      { type: 'setForm', form: 'tube' },
+    ]);
+    const once = after([{ type: 'addSection', u: first, drawn: drawn(4) }], tube);
+    const twice = after([{ type: 'addSection', u: second, drawn: drawn(9) }], once);
+    expect(twice.draft!.sections!.map(({ u }) => u)).toEqual([second]);
+    const over = { stroke: strokeAlong((t) => [4 * t - 2, 8 + t], { plane: ring.plane }), half: 6 };
+    const redrawn = after([{ type: 'redrawSection', u: first, drawn: over }], twice);
+    expect(redrawn.draft!.sections!.map(({ redraws }) => redraws.length)).toEqual([1]);
+    const far = after([{ type: 'addSection', u: 0.02, drawn: drawn(9) }], once);
+    expect(far.draft!.sections).toHaveLength(2);
+  });
+});

@@ -2,7 +2,7 @@
 import { expect, test } from 'vitest';
 import { readingOf } from '../../src/document/document.ts';
 import { EMPTY_DRAWING } from '../../src/document/drawing.ts';
-import { takeStep } from '../../src/element/meter.ts';
+import { stateOf, takeStep } from '../../src/element/meter.ts';
 import { Session } from '../../src/element/session.ts';
 import { strokeAlong } from '../document/strokes.ts';
 
@@ -46,4 +46,19 @@ test('the pin is let go by its own step, and a step that is missing strokes open
   expect(hand.document.tubesOnly).toBe(false);
   takeStep(hand, 'bspline');
   expect(hand.tool).toBe('section');
+});
+
+test('a tube with sections is not round between two sides: that step is still to come, and its tap draws', () => {
+  const hand = session();
+  hand.run({ type: 'setStroke', index: 1, stroke: null });
+  expect(readingOf(hand.document)).toBe('crossSection');
+  const rotational = () => stateOf(hand.document, 'rotational');
+  expect(rotational()).toBe('next');
+  hand.setTool('section');
+  const before = hand.document;
+  takeStep(hand, 'rotational');
+  expect(hand.document).toBe(before);
+  expect(hand.tool).toBe('draw');
+  hand.undo();
+  expect(rotational()).toBe('done');
 });

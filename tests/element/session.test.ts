@@ -180,3 +180,27 @@ describe('what the pen would do', () => {
     }
   });
 });
+
+describe('the notice to turn the view', () => {
+  it('goes when a section is lit, and no other does', () => {
+    const session = sessionWith(tubes(1));
+    const lit: State = {
+      name: 'redraw.lit',
+      redrawing: { local: false, over: 'section' },
+      cancel: () => lit,
+    };
+    const unlit: State = {
+      name: 'redraw.idle',
+      redrawing: { local: false, over: null },
+      cancel: () => unlit,
+    };
+    session.notify('section-edge-on', [], STROKE.view);
+    session.begin(unlit);
+    expect(session.notice?.actions.map(({ label }) => label)).toEqual([WORDS.turn]);
+    session.begin(lit);
+    expect(session.notice).toBeNull();
+    session.notify('edge-on');
+    session.begin(lit);
+    expect(session.notice?.text).toBe(WORDS.edgeOn);
+  });
+});

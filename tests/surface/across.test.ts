@@ -4,7 +4,7 @@ import { alike } from '../../src/surface/alike.ts';
 import { joined, round } from '../../src/surface/joined.ts';
 import { knotsOf } from '../../src/surface/knots.ts';
 import { type Outline, roundHalf } from '../../src/surface/outline.ts';
-import { roof, wave } from './outlines.ts';
+import { bent, raisedBy, roof, wave } from './outlines.ts';
 
 const spans = (outline: Outline, wish = 16): number[] =>
   acrossOf(alike([outline]), wish).map((piece) => piece.spans);
@@ -17,9 +17,10 @@ describe('columns across sections', () => {
   });
 
   test('pieces with many bumps get more, straight ones beside them do not', () => {
-    const [front, back] = spans(joined(wave(0.1, 9), roof)).slice(0, 2);
-    expect(Math.max(front!, back!)).toBeGreaterThan(16);
-    expect(Math.min(...spans(joined(wave(0.1, 9), roof)))).toBeLessThanOrEqual(8);
+    const found = spans(joined(roof, wave(0.06, 9)));
+    expect(found).toHaveLength(3);
+    expect(Math.max(...found)).toBeGreaterThan(16);
+    expect(Math.min(...found)).toBeLessThanOrEqual(8);
   });
 
   test('a scribble has an end', () => {
@@ -30,4 +31,18 @@ describe('columns across sections', () => {
     const [piece] = acrossOf(alike([round]), 5);
     expect(knotsOf(piece!)).toContain(0.5);
   });
+
+  test.each([0.9985, 0.9999, 0.00003])(
+    'q_r and q_l stay columns beside a crease at %d of the front',
+    (at) => {
+      const [x, y] = roundHalf.point(at);
+      const creased = joined(
+        bent([-1, 0], [x, y - 0.3 * (1 - Math.abs(x))], [1, 0]),
+        raisedBy(roundHalf, -1),
+      );
+      const moved = { ...creased, corners: [at / 2] };
+      const found = acrossOf(alike([moved]), 16).flatMap((piece) => knotsOf(piece).map((v) => v % 1));
+      for (const v of [0, 0.5, at / 2]) expect(found).toContain(v);
+    },
+  );
 });

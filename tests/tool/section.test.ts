@@ -256,11 +256,7 @@ describe('without an unfinished form', () => {
   it('says what is missing', () => {
     take();
     hand.down(300, 200);
-    hand.state = idle;
-    hand.draw(LEFT);
-    take();
-    hand.down(300, 200);
-    expect(hand.notices).toEqual(['no-sides', 'no-sides']);
+    expect(hand.notices).toEqual(['no-sides']);
   });
 
   it('sections go to the selected part, else to the last one with two sides', () => {
@@ -399,4 +395,83 @@ describe('what the guide says comes true', () => {
           expect(side === 'full' ? -least : most).toBeLessThan(0.05 * deep);
         }
       });
+});
+
+describe('across a tube', () => {
+  const OVER: readonly Point[] = [
+    [272, 200],
+    [300, 230],
+    [328, 200],
+  ];
+
+  beforeEach(() => {
+    // 10 mm are 30 px
+    hand.commit([{ type: 'setBrush', change: { radius: 10 } }]);
+    hand.draw(LEFT);
+  });
+
+  it('the guide lies square to its stroke, as wide as it is, at its edges and over it', () => {
+    take();
+    for (const x of [270, 295, 330]) {
+      hand.hover(x, 200);
+      const [a, b] = lineOf('flat');
+      expect([a![0], b![0]].sort((p, q) => p - q).map(Math.round)).toEqual([270, 330]);
+      expect(a![1]).toBeCloseTo(b![1], 6);
+      expect(hand.state.guide!.u).toBeCloseTo(0.25, 2);
+    }
+  });
+
+  it('a stroke is its section, a second one makes a patch; each is one undo step', () => {
+    take();
+    hand.draw(OVER);
+    expect(readingOf(hand.document)).toBe('crossSection');
+    hand.draw(OVER.map(([x, y]) => [x, y + 200] as const));
+    expect(readingOf(hand.document)).toBe('bspline');
+    expect(sections().map(({ u }) => Math.round(100 * u))).toEqual([25, 75]);
+    expect(draftSolids(hand.document)[0]!.mesh.positions.every(Number.isFinite)).toBe(true);
+    hand.undo();
+    hand.undo();
+    expect(readingOf(hand.document)).toBe('tube');
+  });
+
+  it('what runs along the tube is none', () => {
+    take();
+    hand.draw([
+      [298, 200],
+      [303, 300],
+    ]);
+    expect(sections()).toHaveLength(0);
+  });
+
+  it('a kept one is drawn across, too', () => {
+    hand.commit([{ type: 'keep' }]);
+    take();
+    hand.draw(OVER);
+    expect(hand.document.parts.map(({ kind }) => kind)).toEqual(['crossSection']);
+  });
+
+  it('with Draw the second stroke is the other side, as ever', () => {
+    hand.state = idle;
+    hand.draw(OVER);
+    expect(sections()).toHaveLength(0);
+    expect(hand.document.draft!.strokes).toHaveLength(2);
+  });
+
+  it('closed strokes that are tubes have it all round', () => {
+    hand.commit([{ type: 'drop' }]);
+    const ring = Array.from({ length: 73 }, (_, i): Point => {
+      const angle = (i * Math.PI) / 36;
+      return [400 + 150 * Math.sin(angle), 300 - 150 * Math.cos(angle)];
+    });
+    hand.draw(ring);
+    hand.commit([{ type: 'setForm', form: 'tube' }]);
+    take();
+    hand.draw([
+      [522, 300],
+      [550, 320],
+      [578, 300],
+    ]);
+    expect(readingOf(hand.document)).toBe('crossSection');
+    expect(sections()).toHaveLength(1);
+  });
 });

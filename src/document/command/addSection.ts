@@ -1,5 +1,6 @@
 import type { Document } from '../document.ts';
 import {
+  isRing,
   nearestSection,
   type Section,
   type SectionStroke,
@@ -28,13 +29,13 @@ export const addSection: CommandKind<'addSection', Data> = {
 };
 
 function withFront(form: SurfaceForm, u: number, front: SectionStroke): SurfaceForm {
-  const old = sectionThere(form.sections, u);
+  const old = sectionThere(form.sections, u, isRing(form));
   const section: Section = { u, front, back: old?.back ?? null, redraws: [] };
-  return { ...form, sections: withSection(form.sections, section) };
+  return { ...form, sections: withSection(form.sections, section, isRing(form)) };
 }
 
 function withBack(form: SurfaceForm, u: number, back: SectionStroke): SurfaceForm {
-  const at = nearestSection(form.sections, u);
+  const at = nearestSection(form.sections, u, isRing(form));
   const sections =
     at < 0
       ? [{ u, front: null, back, redraws: [] }]

@@ -1,5 +1,6 @@
 import type { Reading } from '../document.ts';
 import {
+  isRing,
   isThere,
   nearestSection,
   type RedrawnStroke,
@@ -37,10 +38,10 @@ export const redrawSection: CommandKind<'redrawSection', Data> = {
       (form, kind) => {
         const stays = !local && isOneOfSeveral(form, kind);
         const whole = stays ? form : roundIn(form, kind, u);
-        const sections = local ? withLocal(whole.sections, u) : whole.sections;
+        const sections = local ? withLocal(whole.sections, u, isRing(form)) : whole.sections;
         const at = stays
           ? sections.indexOf(sectionsInForce(SECTION, sections)[0]!)
-          : nearestSection(sections, u);
+          : nearestSection(sections, u, isRing(form));
         const redrawn = sections.map((section, i) =>
           i === at ? { ...section, redraws: [...section.redraws, drawn] } : section,
         );
@@ -60,12 +61,14 @@ const isOneOfSeveral = ({ sections }: SurfaceForm, kind: Reading): boolean =>
 function roundIn(form: SurfaceForm, kind: Reading, u: number): SurfaceForm {
   if (kind !== 'solid' && sectionsInForce(kind, form.sections).length > 0) return form;
   const back = form.sections.length > 0 && form.back !== 'none' ? form.back : 'front';
-  const sections = isThere(form.sections, u) ? form.sections : withSection(form.sections, { ...ROUND, u });
+  const sections = isThere(form.sections, u, isRing(form))
+    ? form.sections
+    : withSection(form.sections, { ...ROUND, u }, isRing(form));
   return { ...form, sections, back };
 }
 
 /** With one at u that is as the surface is there; the only one there was goes to both ends. */
-function withLocal(sections: readonly Section[], u: number): readonly Section[] {
+function withLocal(sections: readonly Section[], u: number, ring: boolean): readonly Section[] {
   const [only, ...others] = sections;
   const all =
     only && others.length === 0
@@ -74,5 +77,5 @@ function withLocal(sections: readonly Section[], u: number): readonly Section[] 
           { ...only, u: 1 },
         ]
       : sections;
-  return isThere(all, u) ? all : withSection(all, { ...ROUND, u, follows: true });
+  return isThere(all, u, ring) ? all : withSection(all, { ...ROUND, u, follows: true }, ring);
 }

@@ -15,6 +15,8 @@ export const EDIT_WORDS = {
   stroke: (n: number) => `Stroke ${n}`,
   removeStroke: (n: number, what: 'side' | 'front' | 'back' | 'redraw') =>
     `Remove stroke ${n}, ${{ side: 'a side', front: 'a section', back: 'a back', redraw: 'a redrawing' }[what]}`,
+  overNothing: (numbers: readonly number[]) =>
+    `Stroke ${numbers.join(', ')}: the part of the section it was drawn over is gone`,
   redraw: 'Redraw',
   redrawKey: 'O',
   redrawLit: { section: 'Redraw part of the lit section', side: 'Redraw part of the lit side' },

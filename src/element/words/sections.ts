@@ -12,7 +12,7 @@ export const SECTION_WORDS = {
     `Near the section ${places} a stroke is its back, the dashed side; elsewhere it is a new section.`,
   places: (percents: readonly number[]) => `at ${percents.map((percent) => `${percent} %`).join(' or ')}`,
   notAcross: {
-    'no-sides': 'Draw two sides first, then across them',
+    'no-sides': 'Draw a tube or two sides first, then across',
     'edge-on': 'The form’s drawing plane is seen from its edge.',
     'off-sides': 'Start at one of the two sides',
     bent: 'This form is bent: recreate it to draw across its strokes',
