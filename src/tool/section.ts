@@ -1,8 +1,10 @@
 /**
  * Section: near a construction curve the guide of that place shows, and a stroke from one side to the other is the cross section there
- * (thesis 5.4.1). Its ends snap to the curves. A stroke that ends outside the form is none: the guide stays.
+ * (thesis 5.4.1). Its ends snap to the curves. A stroke that ends outside the form is none: the guide stays. A finger, which cannot hover,
+ * slides the guide along the curve once it has rested, and draws where it leaves the curve.
  */
-import { acrossOf, type Guide, guideAt, isWithin, turned } from './across.ts';
+import { distance2 } from '../math/tuple.ts';
+import { acrossOf, endsOf, type Guide, guideAt, isWithin, turned } from './across.ts';
 import { type Crossing, isPastMiddle, marksOf, plan, previewOf } from './crossing.ts';
 import { guideMarks } from './guideMarks.ts';
 import { previewed } from './previewed.ts';
@@ -64,7 +66,8 @@ function drawing(crossing: Crossing, bench: Bench): State {
     marks: marksOf(crossing, bench),
     ...(isUnfinished(guide) && !isShown && { faint: true as const }),
     preview: previewed((now) => previewOf(crossing, now)),
-    move: (more, now) => drawing(traced(crossing, more), now),
+    move: (more, now) =>
+      isRested(crossing, more) ? slid(guide, [pens[0]!], more, now) : drawing(traced(crossing, more), now),
     up(now) {
       const commands = plan(crossing, now);
       if (!commands) return guided(guide, now);
@@ -74,3 +77,48 @@ function drawing(crossing: Crossing, bench: Bench): State {
     cancel: () => guided(guide, bench),
   };
 }
+
+/** ms that a finger rests before what it does next slides the guide, and px that it may tremble meanwhile */
+const RESTS = { time: 300, pixels: 6 } as const;
+
+/** At once a finger draws: round sections begin along the curve, too. */
+function isRested({ pens: [first], reach }: Crossing, [next]: readonly Pen[]): boolean {
+  const isFinger = first?.pointer === 'touch' && next !== undefined;
+  return isFinger && reach < RESTS.pixels && next.time - first.time >= RESTS.time;
+}
+
+/** `trail`: since it was last moved along; what is drawn begins there. */
+function slid(guide: Guide, trail: readonly Pen[], more: readonly Pen[], bench: Bench): State {
+  const { viewport } = bench;
+  let [now, since] = [guide, trail];
+  for (const [i, pen] of more.entries()) {
+    const next = guideAt(now.across, pen, viewport);
+    if (next?.near !== now.near) {
+      const start = { ...traceFrom(since[0]!, viewport.view), guide: now };
+      return drawing(traced(start, [...since.slice(1), ...more.slice(i)]), bench);
+    }
+    since = isAlong(since[0]!, next, viewport) ? [pen] : [...since, pen];
+    now = next;
+  }
+  return sliding(now, since, bench);
+}
+
+/** px on the curve from where the trail begins that count as moved along */
+const ALONG = 4;
+
+function isAlong(from: Pen, to: Guide, viewport: Bench['viewport']): boolean {
+  const k = to.near === 'left' ? 0 : 1;
+  const [p, q] = [guideAt(to.across, from, viewport), to].map((guide) => guide && endsOf(guide, viewport)[k]);
+  return !p || !q || distance2(p, q) > ALONG;
+}
+
+const sliding = (guide: Guide, trail: readonly Pen[], bench: Bench): State => ({
+  name: 'section.sliding',
+  still: true,
+  guide: placeOf(guide),
+  marks: guideMarks(guide, bench.viewport),
+  ...(isUnfinished(guide) && { faint: true as const }),
+  move: (more, now) => slid(guide, trail, more, now),
+  up: (now) => guided(guide, now),
+  cancel: () => guided(guide, bench),
+});

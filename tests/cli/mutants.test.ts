@@ -5,8 +5,8 @@ import { describe, expect, it } from 'vitest';
 import { mutant } from '../document/mutate.ts';
 import { useProgram } from './program.ts';
 
-const BLOCK = 12;
-const BLOCKS = process.env.ROTUND_FULL ? 40 : 2;
+const BLOCK = 4;
+const BLOCKS = process.env.ROTUND_FULL ? 120 : 6;
 
 /** Whether there is a mesh at all shows in any. */
 const COARSE = ['--surface-resolution', '8', '--resolution', '8'];

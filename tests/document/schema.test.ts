@@ -36,21 +36,26 @@ describe('docs/rotund.schema.json', () => {
     for (const text of soundTexts()) expect(accepts(published, JSON.parse(text))).toBe(true);
   });
 
-  it('accepts and refuses what the program does, field by field (mutants 0 to 999)', {
-    timeout: 120_000,
-  }, () => {
-    let refused = 0;
-    for (let seed = 0; seed < 1000; seed++) {
-      const { kind, text } = mutant(seed);
-      // a million things, or what is not JSON, says nothing about fields
-      const data = text.length > 200_000 ? undefined : dataOf(text);
-      if (data === undefined) continue;
-      const sound = isSoundByField(data);
-      expect(accepts(published, data), `${seed}: ${kind}`).toBe(sound);
-      if (!sound) refused++;
-    }
-    expect(refused).toBeGreaterThan(300);
-  });
+  const blocks = Array.from({ length: 5 }, (_, i) => [200 * i, 200 * i + 199] as const);
+  it.each(blocks)(
+    'accepts and refuses what the program does, field by field (mutants %i to %i)',
+    {
+      timeout: 60_000,
+    },
+    (from, to) => {
+      let refused = 0;
+      for (let seed = from; seed <= to; seed++) {
+        const { kind, text } = mutant(seed);
+        // a million things, or what is not JSON, says nothing about fields
+        const data = text.length > 200_000 ? undefined : dataOf(text);
+        if (data === undefined) continue;
+        const sound = isSoundByField(data);
+        expect(accepts(published, data), `${seed}: ${kind}`).toBe(sound);
+        if (!sound) refused++;
+      }
+      expect(refused).toBeGreaterThan(60);
+    },
+  );
 });
 
 function dataOf(text: string): unknown {

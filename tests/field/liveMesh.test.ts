@@ -160,13 +160,17 @@ test(`${FULL ? '10,000' : '300'} small drags are no worse than one (seed 91)`, (
   expect(renewed / drags).toBeLessThan(0.25);
 }, 300_000);
 
-test('trees drawn by lot, one after the other, are those made at once (30 pairs, seed 92)', () => {
-  for (let i = 0; i < 30; i++) {
-    const live = new LiveMesh(16);
-    for (const seed of [920 + i, 950 + i]) {
-      const node = randomTree(new Lot(seed), 2);
-      const { mesh } = live.make(node);
-      expect(topology(mesh), `seed ${seed}`).toMatchObject({ watertight: true, finite: true });
+test.each([0, 10, 20])(
+  'trees drawn by lot, one after the other, are those made at once (10 pairs, seed 92, from %i)',
+  (from) => {
+    for (let i = from; i < from + 10; i++) {
+      const live = new LiveMesh(16);
+      for (const seed of [920 + i, 950 + i]) {
+        const node = randomTree(new Lot(seed), 2);
+        const { mesh } = live.make(node);
+        expect(topology(mesh), `seed ${seed}`).toMatchObject({ watertight: true, finite: true });
+      }
     }
-  }
-}, 300_000);
+  },
+  120_000,
+);

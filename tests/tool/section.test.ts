@@ -8,6 +8,7 @@ import { project, toWorld } from '../../src/stroke/plane.ts';
 import { idle } from '../../src/tool/draw.ts';
 import type { Mark } from '../../src/tool/marks.ts';
 import { sectioning } from '../../src/tool/section.ts';
+import type { Pen } from '../../src/tool/tool.ts';
 import { Driver } from './driver.ts';
 
 type Point = readonly [x: number, y: number];
@@ -473,5 +474,56 @@ describe('across a tube', () => {
     ]);
     expect(readingOf(hand.document)).toBe('crossSection');
     expect(sections()).toHaveLength(1);
+  });
+});
+
+describe('a finger', () => {
+  const finger = (x: number, y: number, time: number): Pen => ({
+    ...{ x, y, time, pressure: 0.5, tiltX: 0, tiltY: 0 },
+    pointer: 'touch',
+  });
+  const touch = (x: number, y: number) => {
+    hand.state = hand.state.down!(finger(x, y, 0), hand)!;
+  };
+  const go = (from: Point, to: Point, since: number) => {
+    for (let i = 1; i <= 20; i++) {
+      const [x, y] = [0, 1].map((k) => from[k]! + ((to[k]! - from[k]!) * i) / 20) as [number, number];
+      hand.state = hand.state.move!([finger(x, y, since + 8 * i)], hand)!;
+    }
+  };
+
+  beforeEach(() => {
+    twoSides();
+    take();
+  });
+
+  it('that rested slides the guide along the side, and draws where it leaves it', () => {
+    touch(302, 200);
+    go([302, 200], [302, 300], 400);
+    expect(hand.state.name).toBe('section.sliding');
+    expect(hand.state.guide!.u).toBeCloseTo(0.5, 2);
+    expect(sections()).toHaveLength(0);
+    go([302, 300], [496, 300], 600);
+    hand.up();
+    expect(sections()[0]!.u).toBeCloseTo(0.5, 2);
+    // from the side on: nothing of the stroke was taken for sliding
+    const [first] = sections()[0]!.front!.stroke.samples;
+    expect(400 + 3 * first!.x).toBeLessThan(310);
+  });
+
+  it('that lifts, or is joined by a second one, leaves the guide where it is', () => {
+    touch(302, 200);
+    go([302, 200], [302, 300], 400);
+    for (const next of [hand.state.up!(hand), hand.state.cancel()]) {
+      expect(next!.name).toBe('section.guide');
+      expect(next!.guide!.u).toBeCloseTo(0.5, 2);
+    }
+  });
+
+  it('that goes on at once draws, along the side too: round sections begin so', () => {
+    touch(302, 200);
+    go([302, 200], [302, 300], 0);
+    expect(hand.state.name).toBe('section.drawing');
+    expect(hand.state.guide!.u).toBeCloseTo(0.25, 2);
   });
 });
