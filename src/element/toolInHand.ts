@@ -8,7 +8,6 @@ import { Preview } from './preview.ts';
 import type { Session } from './session.ts';
 import { SliderTrial } from './sliderTrial.ts';
 import { TOOLS, type ToolName } from './tools.ts';
-import { EDIT_WORDS } from './words.ts';
 
 /** ms: a pen or a slider that is still for so long rests, and what is shown is made finely */
 const REST = 150;
@@ -102,9 +101,6 @@ export class ToolInHand {
     if (next.waits) this.#waiting = next;
     if (next.redrawing?.over) session.seenAgain();
     this.#stir();
-    // what the view was to be turned for is there
-    if (next.redrawing?.over && session.notice?.text === EDIT_WORDS.said['section-edge-on'])
-      session.notice = null;
     // said once, not at every move
     if (closes) session.said = previewWords(this.shown());
     session.update(closes || shows(next) !== shows(before) || hintOf(next) !== hintOf(before));
