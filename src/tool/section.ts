@@ -66,8 +66,14 @@ function drawing(crossing: Crossing, bench: Bench): State {
     marks: marksOf(crossing, bench),
     ...(isUnfinished(guide) && !isShown && { faint: true as const }),
     preview: previewed((now) => previewOf(crossing, now)),
-    move: (more, now) =>
-      isRested(crossing, more) ? slid(guide, [pens[0]!], more, now) : drawing(traced(crossing, more), now),
+    move(more, now) {
+      const from = crossing.reach;
+      const next = traced(crossing, more);
+      const isDecided = from < LEAST_LENGTH && next.reach >= LEAST_LENGTH;
+      return isDecided && slides(next, now)
+        ? slid(guide, next.pens.slice(0, 1), next.pens.slice(1), now)
+        : drawing(next, now);
+    },
     up(now) {
       const commands = plan(crossing, now);
       if (!commands) return guided(guide, now);
@@ -81,10 +87,18 @@ function drawing(crossing: Crossing, bench: Bench): State {
 /** ms that a finger rests before what it does next slides the guide, and px that it may tremble meanwhile */
 const RESTS = { time: 300, pixels: 6 } as const;
 
-/** At once a finger draws: round sections begin along the curve, too. */
-function isRested({ pens: [first], reach }: Crossing, [next]: readonly Pen[]): boolean {
-  const isFinger = first?.pointer === 'touch' && next !== undefined;
-  return isFinger && reach < RESTS.pixels && next.time - first.time >= RESTS.time;
+/** of the way: what goes so much along the curve, to 25°, slides */
+const ALONG_CURVE = 0.9;
+
+/** Where it set out, for good: at once a finger draws, since round sections begin along the curve, too. */
+function slides({ guide, pens }: Crossing, { viewport }: Bench): boolean {
+  const first = pens[0]!;
+  const last = pens.at(-1)!;
+  const wayTo = ({ x, y }: Pen) => distance2([first.x, first.y], [x, y]);
+  const left = pens.find((pen) => wayTo(pen) > RESTS.pixels)!;
+  if (first.pointer !== 'touch' || left.time - first.time < RESTS.time) return false;
+  const there = guideAt(guide.across, last, viewport);
+  return there?.near === guide.near && wayOnCurve(guide, there, viewport) >= ALONG_CURVE * wayTo(last);
 }
 
 /** `trail`: since it was last moved along; what is drawn begins there. */
@@ -107,9 +121,15 @@ function slid(guide: Guide, trail: readonly Pen[], more: readonly Pen[], bench: 
 const ALONG = 4;
 
 function isAlong(from: Pen, to: Guide, viewport: Bench['viewport']): boolean {
+  const start = guideAt(to.across, from, viewport);
+  return !start || wayOnCurve(start, to, viewport) > ALONG;
+}
+
+/** px between two places of the curve that the pen is near */
+function wayOnCurve(from: Guide, to: Guide, viewport: Bench['viewport']): number {
   const k = to.near === 'left' ? 0 : 1;
-  const [p, q] = [guideAt(to.across, from, viewport), to].map((guide) => guide && endsOf(guide, viewport)[k]);
-  return !p || !q || distance2(p, q) > ALONG;
+  const [p, q] = [endsOf(from, viewport)[k], endsOf(to, viewport)[k]];
+  return p && q ? distance2(p, q) : Infinity;
 }
 
 const sliding = (guide: Guide, trail: readonly Pen[], bench: Bench): State => ({

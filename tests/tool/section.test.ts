@@ -520,6 +520,15 @@ describe('a finger', () => {
     }
   });
 
+  it('that rested and goes across draws there, from where it touched', () => {
+    touch(302, 200);
+    go([302, 200], [400, 290], 400);
+    expect(hand.state.name).toBe('section.drawing');
+    go([400, 290], [497, 202], 600);
+    hand.up();
+    expect(sections()[0]!.u).toBeCloseTo(0.25, 2);
+  });
+
   it('that goes on at once draws, along the side too: round sections begin so', () => {
     touch(302, 200);
     go([302, 200], [302, 300], 0);
