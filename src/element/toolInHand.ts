@@ -48,7 +48,8 @@ export class ToolInHand {
     this.state.leave?.(this.#session);
     this.#waiting = null;
     this.tool = tool;
-    this.state = TOOLS[tool];
+    // what the tool before showed goes with it
+    this.put(TOOLS[tool]);
   }
 
   down(pen: Pen): void {

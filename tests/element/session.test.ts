@@ -179,6 +179,24 @@ describe('what the pen would do', () => {
       vi.useRealTimers();
     }
   });
+
+  it('is over when the tool is laid down, and the form no longer steps back', () => {
+    vi.useFakeTimers();
+    try {
+      const session = sessionWith(EMPTY_DOCUMENT);
+      const faint = vi.fn();
+      session.scene = { setFaint: faint } as unknown as Session['scene'];
+      const shown: State = { name: 'x', guide: { u: 0.1, side: 'front' }, faint: true, cancel: () => shown };
+      session.begin(shown);
+      session.setTool('select');
+      expect(session.hint).toBe('');
+      vi.advanceTimersByTime(2000);
+      expect(session.hintAtRest).toBe('');
+      expect(faint.mock.lastCall).toEqual([false]);
+    } finally {
+      vi.useRealTimers();
+    }
+  });
 });
 
 describe('the notice to turn the view', () => {
