@@ -100,7 +100,7 @@ export class ToolInHand {
     this.state = next;
     this.hint.follow(next);
     if (next.waits) this.#waiting = next;
-    if (next.redrawing?.over) session.seenAgain();
+    if (next.redrawing?.over === 'section') session.seenAgain();
     this.#stir();
     // said once, not at every move
     if (closes) session.said = previewWords(this.shown());

@@ -214,6 +214,8 @@ describe('the notice to turn the view', () => {
     };
     session.notify('section-edge-on', [], STROKE.view);
     session.begin(unlit);
+    const side: State = { ...lit, redrawing: { local: false, over: 'side' }, cancel: () => side };
+    session.begin(side);
     expect(session.notice?.actions.map(({ label }) => label)).toEqual([WORDS.turn]);
     session.begin(lit);
     expect(session.notice).toBeNull();
