@@ -288,6 +288,9 @@ test('without WebGPU three’s WebGL2 backend draws the same, and the status lin
   await pen.draw(OTHER);
   await page.getByRole('button', { name: 'Keep' }).click();
   await expect(page.locator('.status')).toContainText('WebGL2, slower');
+  // there is no room for what is usual; this is not
+  await page.setViewportSize({ width: 900, height: 700 });
+  await expect(page.locator('.status .aside')).toBeVisible();
   expect((await drawing(page)).parts).toBe(1);
 });
 

@@ -181,7 +181,7 @@ export const layout = css`
   @container (max-width: 1099px) {
     .style span { display: none; }
     .style { padding: 0 0.625rem; }
-    .status .aside { display: none; }
+    .status :is(.facts, .aside.usual) { display: none; }
   }
   @container (max-width: 699px) {
     .app { --gap: 0.5rem; }
