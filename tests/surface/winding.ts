@@ -4,9 +4,9 @@ import { cross2, distance2, sub2 } from '../../src/math/tuple.ts';
 import type { Vec2 } from '../../src/math/vec.ts';
 import type { Outline } from '../../src/surface/outline.ts';
 
-/** Of 512 chords, those between its corners aside. */
-export function polygonOf({ point, corners }: Outline): Vec2[] {
-  const vs = [...Array.from({ length: 512 }, (_, i) => i / 512), ...corners].sort((a, b) => a - b);
+/** Of so many chords, those between its corners aside. */
+export function polygonOf({ point, corners }: Outline, chords = 512): Vec2[] {
+  const vs = [...Array.from({ length: chords }, (_, i) => i / chords), ...corners].sort((a, b) => a - b);
   return vs.map(point);
 }
 
@@ -29,8 +29,13 @@ function nearest(polygon: readonly Vec2[], p: Vec2): number {
 /** half chords: as near to the line webs and slivers may be */
 const NEAR = 0.02;
 
-export function expectOdd(found: Outline, drawn: readonly Vec2[], places: readonly Vec2[]): void {
-  const polygon = polygonOf(found);
+export function expectOdd(
+  found: Outline,
+  drawn: readonly Vec2[],
+  places: readonly Vec2[],
+  chords = 512,
+): void {
+  const polygon = polygonOf(found, chords);
   for (const p of places) {
     if (nearest(drawn, p) < NEAR) continue;
     expect(windingOf(polygon, p)).toBe(Math.abs(windingOf(drawn, p)) % 2);
