@@ -75,7 +75,9 @@ test('what does not cross itself stays as it is', () => {
   }
 });
 
-const x = fc.double({ min: -50, max: 50, noNaN: true });
+// doubles by lot are nearly all next to nothing
+const evenly = (most: number) => fc.integer({ min: -10_000, max: 10_000 }).map((i) => (most * i) / 10_000);
+const x = evenly(50);
 const zigzag = fc.array(fc.tuple(x, x), { minLength: 3, maxLength: 7 }).map((points) =>
   polylineCurve(
     points.map(([p, q], i): Vec2 => [p + 0.0137 * i * i, q]),
@@ -85,13 +87,10 @@ const zigzag = fc.array(fc.tuple(x, x), { minLength: 3, maxLength: 7 }).map((poi
 const drawn = fc
   .oneof(smoothStroke(30), zigzag)
   .map((curve) => outlineOf(curve, { reversed: false, across: true }));
-const places = fc.array(
-  fc.tuple(fc.double({ min: -2, max: 2, noNaN: true }), fc.double({ min: -2, max: 2, noNaN: true })),
-  {
-    minLength: 60,
-    maxLength: 60,
-  },
-);
+const places = fc.array(fc.tuple(evenly(2), evenly(2)), {
+  minLength: 60,
+  maxLength: 60,
+});
 
 test('random fronts and backs (seed 91)', () => {
   fc.assert(
