@@ -4,7 +4,7 @@ import type { Command } from '../document/command/index.ts';
 import { recreatedOf } from '../document/command/keep.ts';
 import { type Document, type Joins, readingOf, type SolidPart } from '../document/document.ts';
 import { formOf, joinedOf } from '../document/draftPart.ts';
-import { isRing, isSamePlace } from '../document/surfacePart.ts';
+import { isRing, sectionThere } from '../document/surfacePart.ts';
 import type { Stroke } from '../stroke/stroke.ts';
 import { type Across, lackingBacks } from '../tool/across.ts';
 import {
@@ -122,7 +122,9 @@ export function awaitedBack({ draft }: Document, commands: readonly Command[]): 
   const last = commands.at(-1);
   const isFront = last?.type === 'addSection' && last.side !== 'back';
   if (!isFront && !(last?.type === 'setSurface' && last.change.back === 'drawn')) return null;
-  const just = isFront ? sections.filter(({ u }) => isSamePlace(u, last.u, isRing({ strokes }))) : sections;
+  const just = isFront
+    ? [sectionThere(sections, last.u, isRing({ strokes }))].filter((one) => one !== null)
+    : sections;
   return backsToDraw({ sections: just, back });
 }
 

@@ -634,4 +634,28 @@ describe('sections of a ring', () => {
         expect(Math.min(apart, 1 - apart)).toBeGreaterThanOrEqual(0.01);
       }
   });
+
+  it.each([0, 0.3, 0.999])('here only, at %f: bulges there, and is round on the other side', (u) => {
+    const bump = { stroke: strokeAlong((t) => [4 * t - 2, 8 + t], { plane: ring.plane }), half: 6 };
+    const redrawn = after([
+      { type: 'addStroke', stroke: ring },
+      { type: 'setForm', form: 'tube' },
+      { type: 'redrawSection', u, drawn: bump, local: true },
+    ]);
+    expect(redrawn.draft!.sections).toHaveLength(2);
+    const { mesh } = draftSolids(redrawn)[0]!;
+    expect(topology(mesh)).toMatchObject({ watertight: true, genus: 1, finite: true });
+    // how thick the tube is near a place of the ring
+    const thickness = (place: number): number =>
+      Math.max(
+        ...range(mesh)
+          .filter(([x, y]) => {
+            const turn = Math.atan2(x, y) / (2 * Math.PI) - place;
+            return Math.abs(turn - Math.round(turn)) < 0.01;
+          })
+          .map(([x, y, z]) => Math.hypot(Math.hypot(x, y) - 40, z)),
+      );
+    expect(thickness(u)).toBeGreaterThan(8);
+    expect(thickness(u + 0.5)).toBeLessThan(6.1);
+  });
 });

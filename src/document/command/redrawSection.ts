@@ -67,7 +67,7 @@ function roundIn(form: SurfaceForm, kind: Reading, u: number): SurfaceForm {
   return { ...form, sections, back };
 }
 
-/** With one at u that is as the surface is there; the only one there was goes to both ends, of a ring to its other side. */
+/** With one at u that is as the surface is there; the only one there was goes to both ends, of a ring to the other side. */
 function withLocal(sections: readonly Section[], u: number, ring: boolean): readonly Section[] {
   const [only, ...others] = sections;
   const ends = ring ? [(u + 0.5) % 1] : [0, 1];
