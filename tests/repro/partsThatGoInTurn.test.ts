@@ -39,12 +39,12 @@ it('two parts gone, one after the other, count as much as the field falls', () =
 
 it('a part that is hidden, sinks and is laid bare again is not what it was', () => {
   const next = new Supply();
-  const cover = placed(sphere(5.4), 0, 0, 0);
+  const [cover, small] = [placed(sphere(5.4), 0, 0, 0), placed(sphere(1), 0, 0, 0)];
   const [before, hidden, sunk, bare] = [
     union(one, other, ...far),
     union(one, cover, ...far),
-    union(placed(sphere(1), 0, 0, 0), cover, ...far),
-    union(placed(sphere(1), 0, 0, 0), ...far),
+    union(small, cover, ...far),
+    union(small, ...far),
   ];
   let now = numbered(before, next);
   const around = (tree: Numbered) => wholeOf(tree).within(...at, 2 * half, 0);
