@@ -11,10 +11,10 @@ export default defineConfig({
           include: ['tests/**/*.test.ts'],
           exclude: ['tests/gpu/**'],
           // A busy machine is no failure.
-          testTimeout: 20_000,
+          testTimeout: 60_000,
         },
       },
-      { test: { name: 'gpu', include: ['tests/gpu/**/*.test.ts'], testTimeout: 60_000 } },
+      { test: { name: 'gpu', include: ['tests/gpu/**/*.test.ts'], testTimeout: 180_000 } },
     ],
     benchmark: { include: ['tests/bench/**/*.bench.ts'] },
   },

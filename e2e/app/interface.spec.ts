@@ -265,6 +265,19 @@ test('every target is at least 44 px, also on a phone', async ({ page }) => {
   }
 });
 
+test('tools lie between the top bar and the status line, whatever the height', async ({ page }) => {
+  await open(page);
+  for (const height of [760, 681, 680, 600, 561, 560, 420]) {
+    await page.setViewportSize({ width: 800, height });
+    const box = async (name: string) => (await page.locator(`[part="${name}"]`).boundingBox())!;
+    const [bar, tools] = [await box('toolbar'), await box('tools')];
+    expect(tools.y, `at ${height}`).toBeGreaterThanOrEqual(bar.y + bar.height);
+    const status = await box('status');
+    const beside = status.x >= tools.x + tools.width;
+    if (!beside) expect(tools.y + tools.height, `at ${height}`).toBeLessThanOrEqual(status.y);
+  }
+});
+
 test('without WebGPU three’s WebGL2 backend draws the same, and the status line says so', async ({
   page,
 }) => {
@@ -275,6 +288,9 @@ test('without WebGPU three’s WebGL2 backend draws the same, and the status lin
   await pen.draw(OTHER);
   await page.getByRole('button', { name: 'Keep' }).click();
   await expect(page.locator('.status')).toContainText('WebGL2, slower');
+  // there is no room for what is usual; this is not
+  await page.setViewportSize({ width: 900, height: 700 });
+  await expect(page.locator('.status .aside')).toBeVisible();
   expect((await drawing(page)).parts).toBe(1);
 });
 

@@ -14,6 +14,7 @@ import { mixedOutline } from '../surface/mixed.ts';
 import { isReversed, type Outline, outlineOf, roundHalf } from '../surface/outline.ts';
 import { redrawn } from '../surface/oversketch.ts';
 import { type Source, sourceOf } from '../surface/source.ts';
+import { uncrossed } from '../surface/uncrossed.ts';
 import { curveOfStroke } from './curves.ts';
 import type { Brush } from './document.ts';
 import {
@@ -82,10 +83,11 @@ function outlineIn(section: Section, back: Back, brush: Filter, source: () => So
 const drawnOver = (outline: Outline, { redraws }: Section, brush: Filter): Outline =>
   redraws.reduce((before, drawn) => withRedraw(before, drawn, brush), outline);
 
-/** The outline itself where the stroke lies over no part of it. */
+/** The outline itself where the stroke lies over no part of it. One that leads a closed outline across itself makes it touch itself. */
 function withRedraw(outline: Outline, { stroke, half }: RedrawnStroke, brush: Filter): Outline {
   const curve = curveOfStroke(stroke, brush);
-  return curve ? redrawn(outline, scaled(curve, 1 / half), sightOn(stroke)) : outline;
+  const over = curve ? redrawn(outline, scaled(curve, 1 / half), sightOn(stroke)) : outline;
+  return over.closed && over !== outline ? uncrossed(over) : over;
 }
 
 /** What was drawn over parts of sections that are no longer there, as after an earlier redrawing went: it is passed over. */

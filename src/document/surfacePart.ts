@@ -225,8 +225,7 @@ export const isRing = ({ strokes }: Pick<SurfaceForm, 'strokes'>): boolean =>
 /** u nearer than this are one place: two sections there would be a step */
 export const SAME_PLACE = 0.01;
 
-export const isSamePlace = (a: number, b: number, isRing = false): boolean =>
-  distanceOf(a, b, isRing) < SAME_PLACE;
+const isSamePlace = (a: number, b: number, isRing = false): boolean => distanceOf(a, b, isRing) < SAME_PLACE;
 
 function distanceOf(a: number, b: number, isRing: boolean): number {
   const straight = Math.abs(a - b);

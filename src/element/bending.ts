@@ -77,10 +77,8 @@ export function dropBend(session: Session): void {
   if (bending && made && made !== bending.old) {
     const { id, index, old } = bending;
     session.commit([{ type: 'setBend', id, index, change: old }]);
-  }
+  } else session.said = EDIT_WORDS.left(EDIT_WORDS.bend);
   keepBend(session);
-  session.said = EDIT_WORDS.left(EDIT_WORDS.bend);
-  session.update();
 }
 
 export function setBendLength(session: Session, keepsLength: boolean): void {

@@ -4,7 +4,7 @@ import type { Command } from '../document/command/index.ts';
 import { recreatedOf } from '../document/command/keep.ts';
 import { type Document, type Joins, readingOf, type SolidPart } from '../document/document.ts';
 import { formOf, joinedOf } from '../document/draftPart.ts';
-import { isSamePlace } from '../document/surfacePart.ts';
+import { isRing, sectionThere } from '../document/surfacePart.ts';
 import type { Stroke } from '../stroke/stroke.ts';
 import { type Across, lackingBacks } from '../tool/across.ts';
 import {
@@ -118,11 +118,13 @@ export function backsToDraw(of: Pick<Across, 'sections' | 'back'>): string | nul
 
 /** After the front of a section, or when backs are to be drawn, one is awaited: where, in words. Null: none is, or something else was done. */
 export function awaitedBack({ draft }: Document, commands: readonly Command[]): string | null {
-  const { sections = [], back = 'none' } = draft ?? {};
+  const { strokes = [], sections = [], back = 'none' } = draft ?? {};
   const last = commands.at(-1);
   const isFront = last?.type === 'addSection' && last.side !== 'back';
   if (!isFront && !(last?.type === 'setSurface' && last.change.back === 'drawn')) return null;
-  const just = isFront ? sections.filter(({ u }) => isSamePlace(u, last.u)) : sections;
+  const just = isFront
+    ? [sectionThere(sections, last.u, isRing({ strokes }))].filter((one) => one !== null)
+    : sections;
   return backsToDraw({ sections: just, back });
 }
 

@@ -181,7 +181,7 @@ export const layout = css`
   @container (max-width: 1099px) {
     .style span { display: none; }
     .style { padding: 0 0.625rem; }
-    .status .aside { display: none; }
+    .status :is(.facts, .aside.usual) { display: none; }
   }
   @container (max-width: 699px) {
     .app { --gap: 0.5rem; }
@@ -215,12 +215,16 @@ export const layout = css`
     /* the colour and the radius take their room */
     .rail:not(.selecting) .b:is([aria-label='Redraw'], [aria-label='Bend']) { display: none; }
   }
+  /* between the top bar and the status line */
+  @container (max-height: 680px) and (min-width: 700px) {
+    .rail { top: calc(50% + 0.5rem); gap: 0.125rem; }
+    .rail .upright { height: 5rem; }
+    .rail .upright input { width: 5rem; }
+  }
   @container (max-height: 560px) and (min-width: 700px) {
     .rail { top: calc(50% + 2rem); max-height: calc(100% - 6rem); overflow-y: auto; scrollbar-width: none; }
     .rail.named { width: 3.75rem; align-items: center; }
     .rail.named .name, .rail.named .b > kbd { display: none; }
-    .rail .upright { height: 5rem; }
-    .rail .upright input { width: 5rem; }
     .tray.name { visibility: hidden; }
     .status { left: 5.5rem; }
     .chip ~ .status { display: none; }

@@ -1,4 +1,4 @@
-/** Line 1: the last event, spoken politely. Line 2: mesh or exact, with what there is of it; where there is room the last form, and the back end. */
+/** Line 1: the last event, spoken politely. Line 2: mesh or exact, with what there is of it; where there is room the last form; and the back end, everywhere when it is not the usual one. */
 import { html, nothing, type TemplateResult } from 'lit';
 import type { Session } from './session.ts';
 import { detailWords } from './statusWords.ts';
@@ -14,7 +14,7 @@ export function status(session: Session): TemplateResult {
     ${session.hint ? html`<span aria-hidden="true"><b>${session.hint}</b></span>` : nothing}
     <span role="status" aria-live="polite" class=${session.hint ? 'hidden' : ''}><b>${session.said}</b></span>
     <span class="hidden hint-said" aria-live="polite">${session.hintAtRest}</span>
-    <span><i class="dot ${backend === 'WebGPU' ? '' : 'slow'}"></i><span class="seen">${unbroken(seen)}</span><span class="aside"><span class="gap">${seen && ' · '}</span><span class="facts">${unbroken(detail)}${detail && ' · '}</span>${draws}</span></span>
+    <span><i class="dot ${backend === 'WebGPU' ? '' : 'slow'}"></i><span class="seen">${unbroken(seen)}</span><span class="aside ${backend === 'WebGPU' ? 'usual' : ''}"><span class="gap">${seen && ' · '}</span><span class="facts">${unbroken(detail)}${detail && ' · '}</span>${draws}</span></span>
   </div>`;
 }
 

@@ -1,7 +1,7 @@
 /** The strokes of a form in hand again, by the numbers they have on the picture: each can go. What then lies over nothing is said. */
 import { html, nothing, type TemplateResult } from 'lit';
 import type { Command } from '../document/command/index.ts';
-import { type Document, formOfDraft, readingOf } from '../document/document.ts';
+import { type Brush, type Document, type Draft, formOfDraft, readingOf } from '../document/document.ts';
 import { idleRedrawsOf } from '../document/sheets.ts';
 import {
   type OfSection,
@@ -9,6 +9,7 @@ import {
   type SectionStroke,
   strokesOfSections,
 } from '../document/surfacePart.ts';
+import type { SurfaceKind } from '../surface/index.ts';
 import { icon } from './icons.ts';
 import type { Session } from './session.ts';
 import { EDIT_WORDS, SURFACE_WORDS } from './words.ts';
@@ -55,6 +56,20 @@ export function idleNumbers(document: Document): readonly number[] {
   const { draft, brush } = document;
   const kind = readingOf(document);
   if (!draft || !kind || kind === 'solid') return [];
+  const old = known.get(draft);
+  if (old?.brush === brush && old.kind === kind) return old.numbers;
+  const numbers = idleIn(draft, brush, kind);
+  known.set(draft, { brush, kind, numbers });
+  return numbers;
+}
+
+/** Controls are drawn far more often than strokes change; twenty redrawings take a frame. */
+const known = new WeakMap<
+  Draft,
+  { readonly brush: Brush; readonly kind: SurfaceKind; readonly numbers: readonly number[] }
+>();
+
+function idleIn(draft: Draft, brush: Brush, kind: SurfaceKind): readonly number[] {
   const form = formOfDraft(draft);
   const idle: readonly SectionStroke[] = idleRedrawsOf(kind, form, brush);
   return strokesOfSections(form.sections).flatMap(({ drawn }, i) =>

@@ -48,7 +48,8 @@ export class ToolInHand {
     this.state.leave?.(this.#session);
     this.#waiting = null;
     this.tool = tool;
-    this.state = TOOLS[tool];
+    // what the tool before showed goes with it
+    this.put(TOOLS[tool]);
   }
 
   down(pen: Pen): void {
@@ -99,7 +100,7 @@ export class ToolInHand {
     this.state = next;
     this.hint.follow(next);
     if (next.waits) this.#waiting = next;
-    if (next.redrawing?.over) session.seenAgain();
+    if (next.redrawing?.over === 'section') session.seenAgain();
     this.#stir();
     // said once, not at every move
     if (closes) session.said = previewWords(this.shown());

@@ -90,12 +90,12 @@ export function splineBeziers(points: readonly Vec2[], degree: Degree, closed: b
   return Array.from({ length: spanCount(basis) }, (_, span) => spanBezier(points, basis, span));
 }
 
-/** Position on a Bézier curve of any degree by de Casteljau: the ends are met exactly. */
+/** Position on a Bézier curve of degree 0 to 3 by de Casteljau: the ends are met exactly. */
 export function bezierPoint(b: readonly Vec2[], t: number): Vec2 {
   return [coordinate(b, 0, t), coordinate(b, 1, t)];
 }
 
-/** De Casteljau of degree 3 at most, without a list: curves are asked thousands of times for a surface. */
+/** Without a list: curves are asked thousands of times for a surface. */
 function coordinate(b: readonly Vec2[], k: 0 | 1, t: number): number {
   const s = 1 - t;
   const first = b[0]![k];

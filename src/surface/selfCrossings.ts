@@ -15,6 +15,9 @@ export interface Pass {
 
 /** chords, those between corners aside: half a circle of 128 is off by 7.5e-5 of its radius */
 const CHORDS = 256;
+/** half chords: longer ones are divided, where much was drawn over a small part, but not into more than so many */
+const LONG = 0.1;
+const MOST_PARTS = 32;
 /** half chords: a lens or a loop that is thinner is none */
 const THIN = 1e-3;
 /** of v */
@@ -24,8 +27,7 @@ const LOOKS = 8;
 
 /** Ascending in v. Slivers are left out: a front and a back that run on each other cross as rounding pleases. */
 export function selfCrossings(outline: Outline): readonly Pass[] {
-  const even = Array.from({ length: CHORDS + 1 }, (_, i) => i / CHORDS);
-  const vs = [...new Set([...even, ...outline.corners])].sort((a, b) => a - b);
+  const vs = placesOn(outline);
   const points = vs.map((v) => outline.point(v));
   const at = (k: number, t: number): number => vs[k]! + t * (vs[k + 1]! - vs[k]!);
   const found: [number, number][] = [];
@@ -36,6 +38,19 @@ export function selfCrossings(outline: Outline): readonly Pass[] {
       if (cut) found.push([at(i, cut[0]), at(j, cut[1])]);
     }
   return withoutSlivers(outline, passesOf(found));
+}
+
+/** Ends of chords, ascending from 0 to 1. */
+function placesOn({ point, corners }: Outline): number[] {
+  const even = Array.from({ length: CHORDS + 1 }, (_, i) => i / CHORDS);
+  const vs = [...new Set([...even, ...corners])].sort((a, b) => a - b);
+  return vs.flatMap((to, i) => {
+    const from = vs[i - 1] ?? to;
+    const parts = Math.min(Math.ceil(distance2(point(from), point(to)) / LONG) || 1, MOST_PARTS);
+    return Array.from({ length: parts }, (_, k) =>
+      k + 1 === parts ? to : from + ((to - from) * (k + 1)) / parts,
+    );
+  });
 }
 
 /** Never at q_l or q_r themselves: a hair beside them, on the same side. */

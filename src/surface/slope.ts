@@ -34,12 +34,11 @@ function central(
   step: number,
   period: number,
 ): number {
-  const base = f(b, 1);
-  const from = (u: number, side: -1 | 1): number => {
-    const away = f(u, side) - base;
-    return period < Infinity ? away - period * Math.round(away / period) : away;
-  };
-  return (from(a, 1) + 8 * from(c, 1) - from(d, -1)) / (12 * step);
+  const [before, after] = [f(b, 1), f(c, 1)];
+  // no two values that are compared are further apart than two steps
+  const gap = (x: number): number => (period < Infinity ? x - period * Math.round(x / period) : x);
+  const middle = gap(after - before);
+  return (gap(f(a, 1) - before) + 7 * middle - gap(f(d, -1) - after)) / (12 * step);
 }
 
 /** The derivative at x of the quartic that is 1 at place i and 0 at the others. */

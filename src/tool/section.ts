@@ -98,7 +98,8 @@ function slides({ guide, pens }: Crossing, { viewport }: Bench): boolean {
   const left = pens.find((pen) => wayTo(pen) > RESTS.pixels)!;
   if (first.pointer !== 'touch' || left.time - first.time < RESTS.time) return false;
   const there = guideAt(guide.across, last, viewport);
-  return there?.near === guide.near && wayOnCurve(guide, there, viewport) >= ALONG_CURVE * wayTo(last);
+  if (!there || (there.near !== guide.near && !guide.across.pair.isTube)) return false;
+  return wayOnCurve(guide, there, viewport) >= ALONG_CURVE * wayTo(last);
 }
 
 /** `trail`: since it was last moved along; what is drawn begins there. */
@@ -107,15 +108,20 @@ function slid(guide: Guide, trail: readonly Pen[], more: readonly Pen[], bench: 
   let [now, since] = [guide, trail];
   for (const [i, pen] of more.entries()) {
     const next = guideAt(now.across, pen, viewport);
-    if (next?.near !== now.near) {
+    if (!next || (next.near !== now.near && !trembles(now, since[0]!, pen))) {
       const start = { ...traceFrom(since[0]!, viewport.view), guide: now };
       return drawing(traced(start, [...since.slice(1), ...more.slice(i)]), bench);
     }
-    since = isAlong(since[0]!, next, viewport) ? [pen] : [...since, pen];
-    now = next;
+    const along = isAlong(since[0]!, next, viewport);
+    since = along ? [pen] : [...since, pen];
+    now = along ? next : { ...next, near: now.near };
   }
   return sliding(now, since, bench);
 }
+
+/** The sides of a tube are so near to each other that a finger on it is now nearer to one, now to the other. */
+const trembles = ({ across }: Guide, from: Pen, { x, y }: Pen): boolean =>
+  across.pair.isTube === true && distance2([from.x, from.y], [x, y]) < LEAST_LENGTH;
 
 /** px on the curve from where the trail begins that count as moved along */
 const ALONG = 4;

@@ -612,4 +612,50 @@ describe('sections of a ring', () => {
     const far = after([{ type: 'addSection', u: 0.02, drawn: drawn(9) }], once);
     expect(far.draft!.sections).toHaveLength(2);
   });
+
+  it.each([0.2, 0.004])('here only at %f fades to both sides of it, and no step is at the seam', (u) => {
+    const over = { stroke: strokeAlong((t) => [4 * t - 2, 8 + t], { plane: ring.plane }), half: 6 };
+    const local = after([
+      { type: 'addStroke', stroke: ring },
+      { type: 'setForm', form: 'tube' },
+      { type: 'addSection', u: 0.5, drawn: drawn(4) },
+      { type: 'redrawSection', u, drawn: over, local: true },
+    ]);
+    const sections = local.draft!.sections!;
+    expect(sections).toHaveLength(2);
+    const [lit, other] = sections;
+    expect(lit).toMatchObject({ u, follows: true, redraws: [over] });
+    expect(other).toMatchObject({ u: u + 0.5, redraws: [] });
+    const replaced = after([{ type: 'addSection', u: 0, drawn: drawn(9) }], local);
+    const places = replaced.draft!.sections!.map((section) => section.u);
+    for (const [i, place] of places.entries())
+      for (const next of places.slice(i + 1)) {
+        const apart = Math.abs(next - place);
+        expect(Math.min(apart, 1 - apart)).toBeGreaterThanOrEqual(0.01);
+      }
+  });
+
+  it.each([0, 0.3, 0.999])('here only, at %f: bulges there, and is round on the other side', (u) => {
+    const bump = { stroke: strokeAlong((t) => [4 * t - 2, 8 + t], { plane: ring.plane }), half: 6 };
+    const redrawn = after([
+      { type: 'addStroke', stroke: ring },
+      { type: 'setForm', form: 'tube' },
+      { type: 'redrawSection', u, drawn: bump, local: true },
+    ]);
+    expect(redrawn.draft!.sections).toHaveLength(2);
+    const { mesh } = draftSolids(redrawn)[0]!;
+    expect(topology(mesh)).toMatchObject({ watertight: true, genus: 1, finite: true });
+    // how thick the tube is near a place of the ring
+    const thickness = (place: number): number =>
+      Math.max(
+        ...range(mesh)
+          .filter(([x, y]) => {
+            const turn = Math.atan2(x, y) / (2 * Math.PI) - place;
+            return Math.abs(turn - Math.round(turn)) < 0.01;
+          })
+          .map(([x, y, z]) => Math.hypot(Math.hypot(x, y) - 40, z)),
+      );
+    expect(thickness(u)).toBeGreaterThan(8);
+    expect(thickness(u + 0.5)).toBeLessThan(6.1);
+  });
 });

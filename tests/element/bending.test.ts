@@ -110,3 +110,14 @@ test('where there is nothing to bend words say so, and the pen draws on', () => 
   expect(session.tool).toBe('draw');
   expect(session.said).toContain('draw a form first');
 });
+
+test('what was dropped is said; laid down with nothing bent, only that', () => {
+  const hand = session();
+  startBend(hand);
+  dropBend(hand);
+  expect(hand.said).toBe('Bend put away');
+  startBend(hand);
+  draw(hand, 500);
+  dropBend(hand);
+  expect(hand.said).toContain('bend 1 of Tube 1 removed');
+});

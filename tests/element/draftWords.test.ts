@@ -149,6 +149,21 @@ describe('a surface with sections', () => {
     expect(awaitedBack(apply(one, add(0.2)), [add(0.2)])).toBeNull();
   });
 
+  it('awaits the back of a section that took the place of one across the seam of a ring', () => {
+    const drawn = { stroke: strokeAlong((t) => [36 + 8 * t, 9 * t * (1 - t)]), half: null };
+    const at = (u: number): Command => ({ type: 'addSection', u, drawn });
+    const rings = after(
+      { type: 'addStroke', stroke: ring(40) },
+      { type: 'setForm', form: 'tube' },
+      { type: 'setSurface', change: { back: 'drawn' } },
+      at(0.99),
+      at(0.002),
+      at(0.997),
+    );
+    expect(rings.draft!.sections!.map(({ u }) => u)).toEqual([0.002, 0.99]);
+    expect(awaitedBack(rings, [at(0.997)])).toBe('at 0 %');
+  });
+
   it('is called by its name while its strokes are in hand', () => {
     const kept = after(
       { type: 'addStroke', stroke: side(-20) },

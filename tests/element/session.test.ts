@@ -179,6 +179,24 @@ describe('what the pen would do', () => {
       vi.useRealTimers();
     }
   });
+
+  it('is over when the tool is laid down, and the form no longer steps back', () => {
+    vi.useFakeTimers();
+    try {
+      const session = sessionWith(EMPTY_DOCUMENT);
+      const faint = vi.fn();
+      session.scene = { setFaint: faint } as unknown as Session['scene'];
+      const shown: State = { name: 'x', guide: { u: 0.1, side: 'front' }, faint: true, cancel: () => shown };
+      session.begin(shown);
+      session.setTool('select');
+      expect(session.hint).toBe('');
+      vi.advanceTimersByTime(2000);
+      expect(session.hintAtRest).toBe('');
+      expect(faint.mock.lastCall).toEqual([false]);
+    } finally {
+      vi.useRealTimers();
+    }
+  });
 });
 
 describe('the notice to turn the view', () => {
@@ -196,6 +214,8 @@ describe('the notice to turn the view', () => {
     };
     session.notify('section-edge-on', [], STROKE.view);
     session.begin(unlit);
+    const side: State = { ...lit, redrawing: { local: false, over: 'side' }, cancel: () => side };
+    session.begin(side);
     expect(session.notice?.actions.map(({ label }) => label)).toEqual([WORDS.turn]);
     session.begin(lit);
     expect(session.notice).toBeNull();

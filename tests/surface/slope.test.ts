@@ -22,4 +22,9 @@ describe('slopes', () => {
     const f = (u: number): number => 40 * u - 3 * Math.floor((40 * u) / 3);
     for (const u of [0.3, 0.1503, 0.98]) expect(slope(f, u, 1, [0, 1], 3)).toBeCloseTo(40, 8);
   });
+
+  test('nor where it is steep: up to half a period in two steps', () => {
+    const f = (u: number): number => 700 * u - 3 * Math.floor((700 * u) / 3);
+    for (const u of [0.3, 0.1503, 0.98]) expect(slope(f, u, 1, [0, 1], 3)).toBeCloseTo(700, 6);
+  });
 });

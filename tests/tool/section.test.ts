@@ -535,4 +535,25 @@ describe('a finger', () => {
     expect(hand.state.name).toBe('section.drawing');
     expect(hand.state.guide!.u).toBeCloseTo(0.25, 2);
   });
+
+  it('slides along the middle of a tube, whichever edge it is nearer to, and draws where it goes across', () => {
+    hand.commit([{ type: 'drop' }]);
+    hand.state = idle;
+    hand.commit([{ type: 'setBrush', change: { radius: 10 } }]);
+    hand.draw(LEFT);
+    take();
+    touch(301, 200);
+    go([301, 200], [297, 250], 400);
+    expect(hand.state.name).toBe('section.sliding');
+    go([297, 250], [303, 300], 600);
+    expect(hand.state.name).toBe('section.sliding');
+    expect(hand.state.guide!.u).toBeCloseTo(0.5, 2);
+    hand.up();
+    touch(272, 200);
+    go([272, 200], [271, 400], 400);
+    expect(hand.state.name).toBe('section.sliding');
+    go([271, 400], [330, 402], 600);
+    hand.up();
+    expect(sections().map(({ u }) => Math.round(100 * u))).toEqual([75]);
+  });
 });

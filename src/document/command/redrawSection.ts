@@ -67,15 +67,10 @@ function roundIn(form: SurfaceForm, kind: Reading, u: number): SurfaceForm {
   return { ...form, sections, back };
 }
 
-/** With one at u that is as the surface is there; the only one there was goes to both ends. */
+/** With one at u that is as the surface is there; the only one there was goes to both ends, of a ring to the other side. */
 function withLocal(sections: readonly Section[], u: number, ring: boolean): readonly Section[] {
   const [only, ...others] = sections;
-  const all =
-    only && others.length === 0
-      ? [
-          { ...only, u: 0 },
-          { ...only, u: 1 },
-        ]
-      : sections;
+  const ends = ring ? [(u + 0.5) % 1] : [0, 1];
+  const all = only && others.length === 0 ? ends.map((end) => ({ ...only, u: end })) : sections;
   return isThere(all, u, ring) ? all : withSection(all, { ...ROUND, u, follows: true }, ring);
 }

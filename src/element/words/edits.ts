@@ -8,7 +8,6 @@ export const EDIT_WORDS = {
   which: 'Tap the part to bend',
   noneToBend: 'Nothing to bend yet: draw a form first',
   left: (tool: string) => `${tool} put away`,
-  bendFact: (index: number) => `bend ${index + 1}`,
   recreate: 'Recreate',
   recreateHint: 'Back to its strokes: draw on, redraw, remove',
   strokes: 'Strokes',

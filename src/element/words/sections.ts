@@ -14,7 +14,7 @@ export const SECTION_WORDS = {
   notAcross: {
     'no-sides': 'Draw a tube or two sides first, then across',
     'edge-on': 'The form’s drawing plane is seen from its edge.',
-    'off-sides': 'Start at one of the two sides',
+    'off-sides': 'Start at one side of the form',
     bent: 'This form is bent: recreate it to draw across its strokes',
   },
   looks: [

@@ -27,5 +27,4 @@ export const SILHOUETTE_WORDS = {
   redraw: 'Redraw',
   join: 'Join the parts',
   nothing: 'nothing to fill',
-  asTube: 'Tube',
 } as const;

@@ -36,7 +36,6 @@ export const SOLID_WORDS = {
   join: 'Belongs to',
   joinHint: 'Forms of one component blend; components of a solid touch without blending.',
   joinNow: (component: string, solid: string) => (component ? `${component} of ${solid}` : solid),
-  newComponent: (solid: string) => `Attached to ${solid}`,
   fit: (percent: string, atBound: number, ratio: string) =>
     `Off its outline by ${percent} % at most · ${atBound} % of weights at a bound · neighbours 1 : ${ratio}`,
   mirror: 'Mirror',

@@ -12,14 +12,19 @@ export interface Piece {
   readonly loops: readonly Loop[];
 }
 
-/** `loops` are those that the axis is of; one that no triangle touches is left out. */
+/**
+ * `loops` are those that the axis is of; one that no triangle touches is left out. Pieces of one loop, which is pinched between them, count
+ * as one.
+ */
 export function piecesOf(axis: MedialAxis, loops: readonly Loop[]): readonly Piece[] {
   const piece = connected(axis);
-  const count = Math.max(-1, ...piece) + 1;
-  if (count < 2) return [{ graph: axis, loops }];
-  const around = pieceOfLoop(axis, loops, piece);
-  return Array.from({ length: count }, (_, own) => ({
-    graph: subgraph(axis, (node) => piece[node] === own),
+  const votes = votesOf(axis, loops, piece);
+  const around = votes.map((of) => mostOf(of));
+  const merged = piece.map((own) => (around.includes(own) ? own : hostOf(own, votes, around)));
+  const owns = [...new Set(merged)];
+  if (owns.length < 2) return [{ graph: axis, loops }];
+  return owns.map((own) => ({
+    graph: subgraph(axis, (node) => merged[node] === own),
     loops: loops.filter((_, i) => around[i] === own),
   }));
 }
@@ -55,12 +60,12 @@ function connected(graph: MedialGraph): readonly number[] {
   return piece;
 }
 
-/** Of each loop: the piece whose triangles most of its places are corners of; pieces may touch at a place. */
-function pieceOfLoop(
+/** Of each loop: how many of its places are corners of each piece's triangles; pieces may touch at a place. */
+function votesOf(
   { triangulation: { points, triangles } }: MedialAxis,
   loops: readonly Loop[],
   piece: readonly number[],
-): readonly number[] {
+): readonly ReadonlyMap<number, number>[] {
   const at = new Map(Array.from(triangles, (corner, k) => [points[corner]!, piece[Math.floor(k / 3)]!]));
   return loops.map((loop) => {
     const votes = new Map<number, number>();
@@ -68,6 +73,20 @@ function pieceOfLoop(
       const own = at.get(place);
       if (own !== undefined) votes.set(own, (votes.get(own) ?? 0) + 1);
     }
-    return [...votes].reduce((most, vote) => (vote[1] > most[1] ? vote : most), [-1, 0])[0];
+    return votes;
   });
+}
+
+/** −1: nobody voted. */
+const mostOf = (votes: ReadonlyMap<number, number>): number =>
+  [...votes].reduce((most, vote) => (vote[1] > most[1] ? vote : most), [-1, 0])[0];
+
+/** The piece that has the loop which a piece without loops has most of. */
+function hostOf(
+  own: number,
+  votes: readonly ReadonlyMap<number, number>[],
+  around: readonly number[],
+): number {
+  const shares = votes.map((of) => of.get(own) ?? 0);
+  return around[shares.indexOf(Math.max(...shares))] ?? own;
 }

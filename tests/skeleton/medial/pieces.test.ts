@@ -45,4 +45,28 @@ describe('piecesOf', () => {
         .sort();
     expect(degrees(whole)).toEqual(degrees(axis));
   });
+
+  it.each([0, 1e-14, 1e-12])('a loop that is pinched to %f has one: all of its outline', (neck) => {
+    const { pieces, axis, places } = piecesAround([
+      [
+        ...([
+          [-20, -5],
+          [-2, -5],
+          [-1, -neck],
+          [1, -neck],
+          [2, -5],
+          [12, -5],
+        ] as const),
+        ...([
+          [12, 5],
+          [2, 5],
+          [1, neck],
+          [-1, neck],
+          [-2, 5],
+          [-20, 5],
+        ] as const),
+      ],
+    ]);
+    expect(pieces).toEqual([{ graph: axis, loops: places }]);
+  });
 });
