@@ -448,6 +448,10 @@ export class Session implements Bench, Viewport {
     return this.scene?.rig.view() ?? this.#lastView;
   }
 
+  get goal(): View {
+    return this.scene?.rig.goal() ?? this.#lastView;
+  }
+
   pick(x: number, y: number, except: readonly string[] = []): Picked | null {
     return pickAt(this, x, y, except);
   }
