@@ -3,6 +3,7 @@ import { beforeAll, expect, test, vi } from 'vitest';
 import { isSurface } from '../../src/document/document.ts';
 import { EMPTY_DRAWING } from '../../src/document/drawing.ts';
 import { dropBend, editBend, keepBend, setBendLength, startBend } from '../../src/element/bending.ts';
+import { startRedraw } from '../../src/element/redraws.ts';
 import { Session } from '../../src/element/session.ts';
 import { CameraRig } from '../../src/scene/cameraRig.ts';
 import type { Scene } from '../../src/scene/index.ts';
@@ -183,4 +184,12 @@ test('a hand that turned the camera on its way says where home is', () => {
   dropBend(hand);
   settle(rig);
   expect(hand.view.rotation).toEqual(turned.rotation);
+});
+
+test.each(['bend', 'redraw'] as const)('another tool taken up before anything was drawn: %s is put away', (tool) => {
+  const hand = session();
+  if (tool === 'bend') startBend(hand);
+  else startRedraw(hand);
+  hand.setTool('select');
+  expect(hand.said).toBe(tool === 'bend' ? 'Bend put away' : 'Redraw put away');
 });
