@@ -77,7 +77,7 @@ const kinds = [
     ...whose,
     index,
     only: v.exactOptional(oneOf(['back', 'redraw'])),
-    redraw: v.exactOptional(index),
+    redraw: v.exactOptional(v.pipe(index, v.description('beside "only": "redraw" alone'))),
   }),
   kind('redrawSection', {
     ...whose,

@@ -39,7 +39,7 @@ export function startBend(session: Session): boolean {
 /** A bend of the list in hand again; or, at the end of the list, a new one. */
 export function editBend(session: Session, id: string, index: number): void {
   const { bending } = session.state;
-  const home = bending?.home ?? session.view;
+  const home = bending?.home ?? session.goal;
   take(session);
   session.select([id]);
   session.begin(bendPart(session, id, index, home));

@@ -54,7 +54,7 @@ import { spoken } from './speech.ts';
 import { seenWords } from './statusWords.ts';
 import { ToolInHand } from './toolInHand.ts';
 import type { ToolName } from './tools.ts';
-import { toolWords } from './toolWords.ts';
+import { laidDownWords, toolWords } from './toolWords.ts';
 import { SECTION_WORDS, WORDS } from './words.ts';
 
 export interface Hooks {
@@ -337,6 +337,7 @@ export class Session implements Bench, Viewport {
   /** Drawing deselects; the unfinished form stays as it is. */
   setTool(tool: ToolName): void {
     this.cancel();
+    if (tool !== this.tool) this.said = laidDownWords(this.tool, this.said);
     this.hand.take(tool);
     if (tool === 'draw') this.select([]);
     if (tool === 'section') this.#takeSection();
@@ -446,6 +447,10 @@ export class Session implements Bench, Viewport {
 
   get view(): View {
     return this.scene?.rig.view() ?? this.#lastView;
+  }
+
+  get goal(): View {
+    return this.scene?.rig.goal() ?? this.#lastView;
   }
 
   pick(x: number, y: number, except: readonly string[] = []): Picked | null {

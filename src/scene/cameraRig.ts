@@ -144,7 +144,7 @@ export class CameraRig {
 
   /** Shows the whole box from where the camera looks; null = the default height around the origin. */
   fit(box: Box | null, animate: boolean, margins?: Margins): void {
-    const view = this.#goal();
+    const view = this.goal();
     const aspect = this.#width / this.#height;
     const { pivot, height } = FRONT_VIEW;
     this.setView(box ? fitted(view, box, aspect, margins) : { ...view, pivot, height }, animate);
@@ -152,12 +152,12 @@ export class CameraRig {
 
   /** The front view of the default page. */
   reset(animate: boolean): void {
-    this.setView({ ...FRONT_VIEW, fov: this.#goal().fov }, animate);
+    this.setView({ ...FRONT_VIEW, fov: this.goal().fov }, animate);
   }
 
   /** Looks at one side; the pivot and the height stay. */
   face(side: Face, animate: boolean): void {
-    this.setView({ ...this.#goal(), rotation: FACE_ROTATION[side] }, animate);
+    this.setView({ ...this.goal(), rotation: FACE_ROTATION[side] }, animate);
   }
 
   /** One press of an arrow key, in steps of 15°. */
@@ -173,7 +173,7 @@ export class CameraRig {
   }
 
   setPerspective(on: boolean): void {
-    this.setView({ ...this.#goal(), fov: on ? FOV : 0 }, false);
+    this.setView({ ...this.goal(), fov: on ? FOV : 0 }, false);
   }
 
   setView(view: View, animate: boolean): void {
@@ -195,6 +195,11 @@ export class CameraRig {
     return { pivot: [x, y, z], rotation, height, fov: this.#perspectiveOn ? this.#perspective.fov : 0 };
   }
 
+  /** Where the camera will be when it has come to rest. */
+  goal(): View {
+    return this.#move?.to ?? this.view();
+  }
+
   /** Goes on with a move by some seconds; true while there is one, so that another frame is wanted. */
   update(seconds: number): boolean {
     const move = this.#move;
@@ -208,11 +213,6 @@ export class CameraRig {
 
   dispose(): void {
     this.#controls.dispose();
-  }
-
-  /** Where the camera will be when it has come to rest. */
-  #goal(): View {
-    return this.#move?.to ?? this.view();
   }
 
   #byHand(change: () => void): void {

@@ -71,9 +71,9 @@ function pressed(start: Pen): State {
 
 /**
  * Begins a bend of a part, or takes one of its bends in hand again; the camera goes to the side of it, or to the view that bend was drawn in.
- * `home`: where it returns to, if not to where it is.
+ * `home`: where it returns to, if not to where it is, or is on its way to.
  */
-export function bendPart(bench: Bench, id: string, index: number, home = bench.viewport.view): State {
+export function bendPart(bench: Bench, id: string, index: number, home = bench.viewport.goal): State {
   const part = surfaceIn(bench.document, id);
   const mesh = part && solidOf(part)?.mesh;
   if (!part || !mesh) return choosing;

@@ -17,6 +17,8 @@ export interface Hit {
 export interface Viewport {
   readonly size: { readonly width: number; readonly height: number };
   readonly view: View;
+  /** What the camera is on its way to; at rest the view. */
+  readonly goal: View;
   /** The parts of the picture, 0–1, that controls cover at its sides while a tool has a card; where there are none it is missing. */
   room?(): {
     readonly left: number;

@@ -199,6 +199,9 @@ describe('sections', () => {
     expect(least.draft!.sections![0]!.redraws).toEqual([]);
     expect(after([{ type: 'removeSection', index: 0, only: 'redraw' }], least)).toBe(least);
     expect(after([{ type: 'removeSection', index: 0, only: 'redraw', redraw: 1 }], less)).toBe(less);
+    // whoever says which of those drawn over it does not mean the section, nor its back
+    expect(after([{ type: 'removeSection', index: 0, redraw: 0 }], less)).toBe(less);
+    expect(after([{ type: 'removeSection', index: 0, only: 'back', redraw: 0 }], drawn)).toBe(drawn);
     const none = after([{ type: 'removeSection', index: 0 }], least);
     expect(readingOf(none)).toBe('rotational');
     expect(none.draft!.sections).toBeUndefined();

@@ -1,12 +1,18 @@
 /** How the Bend tool is taken up, and laid down. */
-import { expect, test } from 'vitest';
+import { beforeAll, expect, test, vi } from 'vitest';
 import { isSurface } from '../../src/document/document.ts';
 import { EMPTY_DRAWING } from '../../src/document/drawing.ts';
 import { dropBend, editBend, keepBend, setBendLength, startBend } from '../../src/element/bending.ts';
+import { startRedraw } from '../../src/element/redraws.ts';
 import { Session } from '../../src/element/session.ts';
-import { madeBend } from '../../src/tool/bend.ts';
+import { CameraRig } from '../../src/scene/cameraRig.ts';
+import type { Scene } from '../../src/scene/index.ts';
+import { bendPart, madeBend } from '../../src/tool/bend.ts';
 import type { Pen } from '../../src/tool/tool.ts';
 import { strokeAlong } from '../document/strokes.ts';
+
+// camera-controls keeps rectangles of the page it is never connected to.
+beforeAll(() => void vi.stubGlobal('DOMRect', class {}));
 
 const line = (x: number) => strokeAlong((t) => [x, 60 * t - 30]);
 
@@ -120,4 +126,70 @@ test('what was dropped is said; laid down with nothing bent, only that', () => {
   draw(hand, 500);
   dropBend(hand);
   expect(hand.said).toContain('bend 1 of Tube 1 removed');
+});
+
+/** With a camera of its own, whose moves take time. */
+function seen(): { readonly hand: Session; readonly rig: CameraRig } {
+  const hand = session();
+  const rig = new CameraRig();
+  hand.scene = { rig, setFaint() {}, select() {} } as unknown as Scene;
+  return { hand, rig };
+}
+
+const settle = (rig: CameraRig) => rig.update(10);
+
+test('taken up again while the camera turns back, or to the side, it goes home to where one looked from at first', () => {
+  const { hand, rig } = seen();
+  const home = hand.view;
+  for (let i = 0; i < 3; i++) {
+    startBend(hand);
+    rig.update(0.1);
+    expect(hand.view.rotation).not.toEqual(home.rotation);
+    dropBend(hand);
+    rig.update(0.1);
+  }
+  expect(hand.view.rotation).not.toEqual(home.rotation);
+  // a tap on the part, too
+  hand.setTool('bend');
+  hand.begin(bendPart(hand, 'part-1', 0));
+  settle(rig);
+  expect(hand.view.rotation).not.toEqual(home.rotation);
+  dropBend(hand);
+  settle(rig);
+  expect(hand.view).toEqual(home);
+});
+
+test('taken up while the camera comes to another view, it goes home to that one', () => {
+  const { hand, rig } = seen();
+  const back = { ...hand.view, rotation: [0, 1, 0, 0] } as const;
+  hand.lookFrom(back);
+  rig.update(0.1);
+  startBend(hand);
+  settle(rig);
+  dropBend(hand);
+  settle(rig);
+  expect(hand.view).toEqual(back);
+});
+
+test('a hand that turned the camera on its way says where home is', () => {
+  const { hand, rig } = seen();
+  startBend(hand);
+  settle(rig);
+  dropBend(hand);
+  rig.update(0.1);
+  hand.camera.orbit(10, 0);
+  const turned = hand.view;
+  startBend(hand);
+  settle(rig);
+  dropBend(hand);
+  settle(rig);
+  expect(hand.view.rotation).toEqual(turned.rotation);
+});
+
+test.each(['bend', 'redraw'] as const)('another tool taken up before anything was drawn: %s is put away', (tool) => {
+  const hand = session();
+  if (tool === 'bend') startBend(hand);
+  else startRedraw(hand);
+  hand.setTool('select');
+  expect(hand.said).toBe(tool === 'bend' ? 'Bend put away' : 'Redraw put away');
 });

@@ -28,6 +28,10 @@ export class Driver implements Bench {
     return this.history.present;
   }
 
+  get goal(): View {
+    return this.view;
+  }
+
   get viewport(): this {
     return this;
   }

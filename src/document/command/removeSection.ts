@@ -23,7 +23,8 @@ export const removeSection: CommandKind<'removeSection', Data> = {
 
 function without(form: SurfaceForm, { index, only, redraw }: Data): SurfaceForm | null {
   const section = form.sections[index];
-  if (!section) return null;
+  // a number says that one of those drawn over it is meant, not the section
+  if (!section || (redraw !== undefined && only !== 'redraw')) return null;
   if (only === undefined) return { ...form, sections: form.sections.filter((_, i) => i !== index) };
   const { back, redraws } = section;
   const which = redraw ?? redraws.length - 1;
