@@ -1,10 +1,11 @@
 /**
  * Section: near a construction curve the guide of that place shows, and a stroke from one side to the other is the cross section there
  * (thesis 5.4.1). Its ends snap to the curves. A stroke that ends outside the form is none: the guide stays. A finger, which cannot hover,
- * slides the guide along the curve once it has rested, and draws where it leaves the curve.
+ * slides the guide along the curve once it has rested, and draws where it goes across. What counts is the way it goes, not how far it is from
+ * the curve: of a thin form every place is near both sides.
  */
 import { distance2 } from '../math/tuple.ts';
-import { acrossOf, endsOf, type Guide, guideAt, isWithin, turned } from './across.ts';
+import { acrossOf, endsOf, type Guide, guideAt, isWithin, progressOf, turned } from './across.ts';
 import { type Crossing, isPastMiddle, marksOf, plan, previewOf } from './crossing.ts';
 import { guideMarks } from './guideMarks.ts';
 import { previewed } from './previewed.ts';
@@ -52,7 +53,7 @@ function begun(pen: Pen, bench: Bench, shown: Guide | null): State | undefined {
   }
   const stays = shown?.across.pair === across.pair && isWithin(across, pen, bench.viewport);
   const guide = guideAt(across, pen, bench.viewport) ?? (stays ? turned(shown, pen, bench.viewport) : null);
-  if (!guide) bench.notify('off-sides');
+  if (!guide) bench.notify(guideAt(across, pen, bench.viewport, 0) ? 'too-narrow' : 'off-sides');
   return guide ? drawing({ ...traceFrom(pen, bench.viewport.view), guide }, bench) : sectioning;
 }
 
@@ -87,55 +88,58 @@ function drawing(crossing: Crossing, bench: Bench): State {
 /** ms that a finger rests before what it does next slides the guide, and px that it may tremble meanwhile */
 const RESTS = { time: 300, pixels: 6 } as const;
 
-/** of the way: what goes so much along the curve, to 25°, slides */
-const ALONG_CURVE = 0.9;
+/** of the way: what goes so little across, to 25°, slides */
+const ALONG_CURVE = 0.42;
 
 /** Where it set out, for good: at once a finger draws, since round sections begin along the curve, too. */
 function slides({ guide, pens }: Crossing, { viewport }: Bench): boolean {
   const first = pens[0]!;
-  const last = pens.at(-1)!;
-  const wayTo = ({ x, y }: Pen) => distance2([first.x, first.y], [x, y]);
-  const left = pens.find((pen) => wayTo(pen) > RESTS.pixels)!;
+  const left = pens.find((pen) => wayOf(first, pen) > RESTS.pixels)!;
   if (first.pointer !== 'touch' || left.time - first.time < RESTS.time) return false;
+  const last = pens.at(-1)!;
   const there = guideAt(guide.across, last, viewport);
-  if (!there || (there.near !== guide.near && !guide.across.pair.isTube)) return false;
-  return wayOnCurve(guide, there, viewport) >= ALONG_CURVE * wayTo(last);
+  return (
+    there !== null && wayAcross([guide, first], [there, last], viewport) <= ALONG_CURVE * wayOf(first, last)
+  );
 }
-
-/** `trail`: since it was last moved along; what is drawn begins there. */
-function slid(guide: Guide, trail: readonly Pen[], more: readonly Pen[], bench: Bench): State {
-  const { viewport } = bench;
-  let [now, since] = [guide, trail];
-  for (const [i, pen] of more.entries()) {
-    const next = guideAt(now.across, pen, viewport);
-    if (!next || (next.near !== now.near && !trembles(now, since[0]!, pen))) {
-      const start = { ...traceFrom(since[0]!, viewport.view), guide: now };
-      return drawing(traced(start, [...since.slice(1), ...more.slice(i)]), bench);
-    }
-    const along = isAlong(since[0]!, next, viewport);
-    since = along ? [pen] : [...since, pen];
-    now = along ? next : { ...next, near: now.near };
-  }
-  return sliding(now, since, bench);
-}
-
-/** The sides of a tube are so near to each other that a finger on it is now nearer to one, now to the other. */
-const trembles = ({ across }: Guide, from: Pen, { x, y }: Pen): boolean =>
-  across.pair.isTube === true && distance2([from.x, from.y], [x, y]) < LEAST_LENGTH;
 
 /** px on the curve from where the trail begins that count as moved along */
 const ALONG = 4;
 
-function isAlong(from: Pen, to: Guide, viewport: Bench['viewport']): boolean {
-  const start = guideAt(to.across, from, viewport);
-  return !start || wayOnCurve(start, to, viewport) > ALONG;
+/** `trail`: since it was last moved along; what is drawn begins there. */
+function slid(guide: Guide, trail: readonly Pen[], more: readonly Pen[], bench: Bench): State {
+  const { viewport } = bench;
+  let [from, since] = [guide, trail];
+  for (const [i, pen] of more.entries()) {
+    const next = guideAt(from.across, pen, viewport);
+    const way = wayOf(since[0]!, pen);
+    const across = next ? wayAcross([from, since[0]!], [next, pen], viewport) : Infinity;
+    const along = Math.sqrt(Math.max(way * way - across * across, 0));
+    if (!next || (way >= LEAST_LENGTH && across > along)) {
+      const start = { ...traceFrom(since[0]!, viewport.view), guide: from };
+      return drawing(traced(start, [...since.slice(1), ...more.slice(i)]), bench);
+    }
+    const isAlong = along > ALONG && along >= across;
+    since = isAlong ? [pen] : [...since, pen];
+    if (isAlong) from = next;
+  }
+  return sliding(from, since, bench);
 }
 
-/** px between two places of the curve that the pen is near */
-function wayOnCurve(from: Guide, to: Guide, viewport: Bench['viewport']): number {
-  const k = to.near === 'left' ? 0 : 1;
-  const [p, q] = [endsOf(from, viewport)[k], endsOf(to, viewport)[k]];
-  return p && q ? distance2(p, q) : Infinity;
+const wayOf = (from: Pen, to: Pen): number => distance2([from.x, from.y], [to.x, to.y]);
+
+type Place = readonly [Guide, Pen];
+
+/** px that the pen came nearer to one side, or to the other: each measured on the chord of its place, from the same side */
+function wayAcross([from, first]: Place, [to, last]: Place, viewport: Bench['viewport']): number {
+  const offset = (guide: Guide, pen: Pen) =>
+    progressOf({ ...guide, near: from.near }, pen, viewport) * chordOf(guide, viewport);
+  return Math.abs(offset(to, last) - offset(from, first));
+}
+
+function chordOf(guide: Guide, viewport: Bench['viewport']): number {
+  const [a, b] = endsOf(guide, viewport);
+  return a && b ? distance2(a, b) : 0;
 }
 
 const sliding = (guide: Guide, trail: readonly Pen[], bench: Bench): State => ({

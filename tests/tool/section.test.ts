@@ -451,6 +451,18 @@ describe('across a tube', () => {
     expect(hand.document.parts.map(({ kind }) => kind)).toEqual(['crossSection']);
   });
 
+  it('that is narrower in the picture than 12 px says to zoom in, also on what was drawn; beside it, where to begin', () => {
+    take();
+    hand.view = { ...hand.view, height: 1200 };
+    for (const x of [382, 383, 440]) {
+      hand.hover(x, 300);
+      expect(hand.state.marks).toBeUndefined();
+      hand.down(x, 300);
+      expect(hand.state.name).toBe('section.idle');
+    }
+    expect(hand.notices).toEqual(['too-narrow', 'too-narrow', 'off-sides']);
+  });
+
   it('with Draw the second stroke is the other side, as ever', () => {
     hand.state = idle;
     hand.draw(OVER);
