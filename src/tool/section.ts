@@ -5,7 +5,7 @@
  * the curve: of a thin form every place is near both sides.
  */
 import { distance2 } from '../math/tuple.ts';
-import { acrossOf, endsOf, type Guide, guideAt, isWithin, progressOf, turned } from './across.ts';
+import { acrossOf, endsOf, type Guide, guideAt, isWithin, progressOf, REACH, turned } from './across.ts';
 import { type Crossing, isPastMiddle, marksOf, plan, previewOf } from './crossing.ts';
 import { guideMarks } from './guideMarks.ts';
 import { previewed } from './previewed.ts';
@@ -57,7 +57,9 @@ function begun(pen: Pen, bench: Bench, shown: Guide | null): State | undefined {
   return guide ? drawing({ ...traceFrom(pen, bench.viewport.view), guide }, bench) : sectioning;
 }
 
-function drawing(crossing: Crossing, bench: Bench): State {
+/** `rested`: the same from where the finger rested; a round section begins along the side, and is that one if it comes back to its guide. */
+function drawing(turnedOff: Crossing, bench: Bench, rested: Crossing | null = null): State {
+  const crossing = rested && isMeant(rested, turnedOff, bench) ? rested : turnedOff;
   const { guide, pens } = crossing;
   const isShown = isPastMiddle(crossing, bench);
   return {
@@ -68,12 +70,15 @@ function drawing(crossing: Crossing, bench: Bench): State {
     ...(isUnfinished(guide) && !isShown && { faint: true as const }),
     preview: previewed((now) => previewOf(crossing, now)),
     move(more, now) {
-      const from = crossing.reach;
-      const next = traced(crossing, more);
+      const from = turnedOff.reach;
+      const next = traced(turnedOff, more);
       const isDecided = from < LEAST_LENGTH && next.reach >= LEAST_LENGTH;
-      return isDecided && slides(next, now)
-        ? slid(guide, next.pens.slice(0, 1), next.pens.slice(1), now)
-        : drawing(next, now);
+      return !rested && isDecided && slides(next, now)
+        ? slid(guide, next.pens.slice(0, 1), next.pens.slice(1), now, {
+            ...traceFrom(next.pens[0]!, next.view),
+            guide,
+          })
+        : drawing(next, now, rested && traced(rested, more));
     },
     up(now) {
       const commands = plan(crossing, now);
@@ -83,6 +88,16 @@ function drawing(crossing: Crossing, bench: Bench): State {
     },
     cancel: () => guided(guide, bench),
   };
+}
+
+/** The one whose other end is nearer. */
+function isMeant(rested: Crossing, turnedOff: Crossing, { viewport }: Bench): boolean {
+  const last = rested.pens.at(-1)!;
+  const [a, b] = [rested, turnedOff].map(({ guide }) => {
+    const end = endsOf(guide, viewport)[guide.near === 'left' ? 1 : 0];
+    return end ? distance2(end, [last.x, last.y]) : Infinity;
+  });
+  return a! < b!;
 }
 
 /** ms that a finger rests before what it does next slides the guide, and px that it may tremble meanwhile */
@@ -106,24 +121,56 @@ function slides({ guide, pens }: Crossing, { viewport }: Bench): boolean {
 /** px on the curve from where the trail begins that count as moved along */
 const ALONG = 4;
 
-/** `trail`: since it was last moved along; what is drawn begins there. */
-function slid(guide: Guide, trail: readonly Pen[], more: readonly Pen[], bench: Bench): State {
+/** `trail`: since it was last moved along; what is drawn begins there. `rested`: since it rested, while it can be a round section from there. */
+function slid(
+  guide: Guide,
+  trail: readonly Pen[],
+  more: readonly Pen[],
+  bench: Bench,
+  rested: Crossing | null,
+): State {
   const { viewport } = bench;
-  let [from, since] = [guide, trail];
+  let [shown, from, since, round] = [guide, startOf(guide, trail, viewport), trail, rested];
   for (const [i, pen] of more.entries()) {
     const next = guideAt(from.across, pen, viewport);
     const way = wayOf(since[0]!, pen);
     const across = next ? wayAcross([from, since[0]!], [next, pen], viewport) : Infinity;
     const along = Math.sqrt(Math.max(way * way - across * across, 0));
-    if (!next || (way >= LEAST_LENGTH && across > along)) {
+    if (
+      !next ||
+      (way >= LEAST_LENGTH && across > along) ||
+      (round && isHalfway(round, next, pen, viewport))
+    ) {
       const start = { ...traceFrom(since[0]!, viewport.view), guide: from };
-      return drawing(traced(start, [...since.slice(1), ...more.slice(i)]), bench);
+      const rest = more.slice(i);
+      return drawing(traced(start, [...since.slice(1), ...rest]), bench, round && traced(round, rest));
     }
+    if (along >= across) shown = { ...next, near: from.near };
     const isAlong = along > ALONG && along >= across;
     since = isAlong ? [pen] : [...since, pen];
-    if (isAlong) from = next;
+    if (isAlong) from = shown;
+    round = round && stillRound(traced(round, [pen]), viewport);
   }
-  return sliding(from, since, bench);
+  return sliding(shown, since, bench, round);
+}
+
+const startOf = (guide: Guide, [first]: readonly Pen[], viewport: Bench['viewport']): Guide => ({
+  ...(guideAt(guide.across, first!, viewport) ?? guide),
+  near: guide.near,
+});
+
+/** of the chord: what goes further along is no round section; of forms that are wider than so many px a finger leaves the side itself */
+const ROUND = { share: 1.5, widest: 4 * REACH } as const;
+
+function stillRound(rested: Crossing, viewport: Bench['viewport']): Crossing | null {
+  const chord = chordOf(rested.guide, viewport);
+  return chord <= ROUND.widest && rested.reach <= ROUND.share * chord ? rested : null;
+}
+
+/** Across as a whole, however much it goes along: the finger is on its way to the other side. */
+function isHalfway({ guide, pens }: Crossing, there: Guide, pen: Pen, viewport: Bench['viewport']): boolean {
+  const least = Math.max(LEAST_LENGTH, 0.5 * chordOf(guide, viewport));
+  return wayAcross([guide, pens[0]!], [there, pen], viewport) >= least;
 }
 
 const wayOf = (from: Pen, to: Pen): number => distance2([from.x, from.y], [to.x, to.y]);
@@ -142,13 +189,13 @@ function chordOf(guide: Guide, viewport: Bench['viewport']): number {
   return a && b ? distance2(a, b) : 0;
 }
 
-const sliding = (guide: Guide, trail: readonly Pen[], bench: Bench): State => ({
+const sliding = (guide: Guide, trail: readonly Pen[], bench: Bench, rested: Crossing | null): State => ({
   name: 'section.sliding',
   still: true,
   guide: placeOf(guide),
   marks: guideMarks(guide, bench.viewport),
   ...(isUnfinished(guide) && { faint: true as const }),
-  move: (more, now) => slid(guide, trail, more, now),
+  move: (more, now) => slid(guide, trail, more, now, rested),
   up: (now) => guided(guide, now),
   cancel: () => guided(guide, bench),
 });

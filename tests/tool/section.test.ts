@@ -568,4 +568,60 @@ describe('a finger', () => {
     hand.up();
     expect(sections().map(({ u }) => Math.round(100 * u))).toEqual([75]);
   });
+
+  describe('on a thin form', () => {
+    /** 43 px wide, or two sides 30 px apart */
+    const tube = () => {
+      hand.commit([{ type: 'drop' }, { type: 'setBrush', change: { radius: 43 / 6 } }]);
+      hand.state = idle;
+      hand.draw(LEFT);
+      take();
+    };
+    const pair = () => {
+      hand.commit([{ type: 'drop' }]);
+      hand.state = idle;
+      hand.draw(LEFT.map(([x, y]) => [x - 15, y] as const));
+      hand.draw(LEFT.map(([x, y]) => [x + 15, y] as const));
+      take();
+    };
+    const arc = (from: number, to: number, depth: number) => (t: number) =>
+      [from + t * (to - from), 200 + depth * Math.sin(Math.PI * t)] as const;
+    const along = (way: (t: number) => Point, since: number) => {
+      for (let i = 1; i <= 20; i++) {
+        const [x, y] = way(i / 20);
+        hand.state = hand.state.move!([finger(x, y, since + 8 * i)], hand)!;
+      }
+    };
+    const forms = [
+      ['a tube', tube, 279, 321],
+      ['two sides', pair, 286, 314],
+    ] as const;
+
+    for (const [name, make, left, right] of forms)
+      for (const [from, to] of [
+        [left, right],
+        [right, left],
+      ] as const)
+        for (const share of [0, 0.3, 0.5, 0.9])
+          it(`a finger that rested draws across ${name} from ${from} to ${to}, ${share} of the width deep`, () => {
+            make();
+            touch(from, 200);
+            along(arc(from, to, share * (right - left)), 500);
+            hand.up();
+            expect(sections().map(({ u }) => Math.round(100 * u))).toEqual([25]);
+            const [first] = sections()[0]!.front!.stroke.samples;
+            expect(Math.abs(400 + 3 * first!.x - from)).toBeLessThan(4);
+          });
+
+    for (const [name, make, left, right] of forms)
+      it(`${name}: slides along, trembling, and draws across where it got to`, () => {
+        make();
+        touch(left, 200);
+        along((t) => [left + 3 * Math.sin(40 * t), 200 + 200 * t], 500);
+        expect(hand.state.name).toBe('section.sliding');
+        go([left, 400], [right, 404], 900);
+        hand.up();
+        expect(sections().map(({ u }) => Math.round(100 * u))).toEqual([75]);
+      });
+  });
 });
