@@ -270,7 +270,7 @@ test('the field page by the graphics device shows what it shows by workers', asy
     return readPicture(await page.screenshot({ clip: { x: 150, y: 80, width: 190, height: 212 } }));
   };
   const byDevice = await shown('device');
-  expect(differing(byDevice, await shown('worker'), 40)).toBeLessThan(30);
+  expect(differing(byDevice, await shown('worker'), 40)).toBeLessThan(12);
   let seen = 0;
   for (let y = 0; y < byDevice.height; y++)
     for (let x = 0; x < byDevice.width; x++) {

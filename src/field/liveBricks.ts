@@ -74,8 +74,8 @@ export class LiveBricks {
   *edit(whole: Near, changes: Changes, grown: Grown | null = null): Generator<number> {
     this.renewed.clear();
     const root = this.#root;
-    if (grown) this.#grow(whole, grown);
-    yield* this.#visit(root, whole, changes);
+    const outer = grown ? this.#grow(whole, grown) : whole;
+    yield* this.#visit(root, outer, changes);
     if (grown) yield* this.#complete(this.#root, whole);
   }
 
@@ -94,19 +94,23 @@ export class LiveBricks {
     return i + x + ALONG * (j + y + ALONG * (k + z));
   }
 
-  /** The root becomes an eighth of a larger one, until that holds the lattice. */
-  #grow(whole: Near, { lattice, before }: Grown): void {
+  /** The root becomes an eighth of a larger one, until that holds the lattice. Returns the field in the cube around the root that was. */
+  #grow(whole: Near, { lattice, before }: Grown): Near {
+    let outer: Near | null = null;
     const [x, y, z] = this.#first;
     this.#lattice = lattice;
     this.#first = [x - before[0], y - before[1], z - before[2]];
     for (;;) {
       const { size } = this.#root;
       const at = this.#within(this.#root);
-      if (at.every((low, axis) => low <= 0 && low + size >= countsOf(lattice)[axis]!)) return;
+      if (at.every((low, axis) => low <= 0 && low + size >= countsOf(lattice)[axis]!)) {
+        return outer ?? whole;
+      }
       const first = (axis: 0 | 1 | 2) => at[axis] + this.#first[axis] - (at[axis] > 0 ? size : 0);
       const larger = this.#made(whole, first(0), first(1), first(2), 2 * size);
       if (larger.state === 0) larger.parts = [this.#root];
       this.#root = larger;
+      outer ??= larger.near;
     }
   }
 

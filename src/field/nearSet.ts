@@ -193,19 +193,18 @@ export class NearSet implements Near {
     return new NearSet(kept, all, this.#operation, this.#kind, this.node);
   }
 
+  /**
+   * That of each part is followed from edit to edit as long as the cubes around hold it, too: what they leave out may change without an effect, and
+   * what is left of the set would no longer be what it was.
+   */
   effect(newer: Near, changes: Changes, x: number, y: number, z: number, half: number): number {
-    if (!changes.has(this.node)) return 0;
     if (!(newer instanceof NearSet) || newer.node !== this.node) return Infinity;
-    const pairs = this.#parts.map((part) => {
-      const isSame = !changes.has(part.node);
-      return { part, isSame, other: isSame ? null : newer.#part(part.node) };
+    const effects = this.#parts.map((part) => {
+      const other = newer.#part(part.node);
+      return other ? part.effect(other, changes, x, y, z, half) : Infinity;
     });
-    const effects = pairs.map(({ part, isSame, other }) => {
-      if (other) return part.effect(other, changes, x, y, z, half);
-      return isSame || this.#operation === hardUnion ? 0 : Infinity;
-    });
-    const gone = pairs.map(({ isSame, other }) => !isSame && !other);
-    return this.#together([...effects, this.#byCome(newer, changes, x, y, z, half)]) + this.#byGone(gone);
+    if (changes.has(this.node)) effects.push(this.#byCome(newer, changes, x, y, z, half));
+    return this.#together(effects);
   }
 
   /** By what did not matter here or was not there: by as much as it may be above the field that was. */
@@ -215,14 +214,6 @@ export class NearSet implements Near {
     return newer.#parts
       .filter(({ node }) => changes.has(node) && !this.#part(node))
       .reduce((most, part) => Math.max(most, turned(part.within(x, y, z, half, 0), sign)[1]! - least!), 0);
-  }
-
-  /** By parts that matter no more: by as much as they may have been above all others. */
-  #byGone(gone: readonly boolean[]): number {
-    if (!gone.includes(true)) return 0;
-    const ranges = this.#parts.map((part, i) => turned(part, signsOf(this.#kind)[i === 0 ? 0 : 1]));
-    const least = ranges.reduce((most, [low], i) => (gone[i] ? most : Math.max(most, low!)), -Infinity);
-    return ranges.reduce((most, [, high], i) => (gone[i] ? Math.max(most, high! - least) : most), 0);
   }
 
   #part(node: number): Near | null {

@@ -62,7 +62,9 @@ function cached(make: (count: number, ends: Ends) => Mask): (count: number, ends
   const known = { clamped: new Map<number, Mask>(), periodic: new Map<number, Mask>() };
   return (count, ends) => {
     const masks = known[ends];
-    const mask = masks.get(count) ?? make(count, ends);
+    const kept = masks.get(count);
+    if (kept) return kept;
+    const mask = make(count, ends);
     if (masks.size >= MOST_MASKS) masks.clear();
     masks.set(count, mask);
     return mask;

@@ -1,6 +1,7 @@
 /**
  * Where a section can be drawn: across a form between its two construction curves, at the u that the surface itself uses (thesis 5.4.1,
- * fig. 5.10), or across a tube from edge to edge, square to its stroke and as wide as it is there. The chord is straight; the half below it, or on the right-hand side of q_l to q_r, is convex (surface/chordWay.ts).
+ * fig. 5.10), or across a tube from edge to edge, square to its stroke and as wide as it is there. The chord is straight; the half below
+ * it, or on the right-hand side of q_l to q_r, is convex (surface/chordWay.ts).
  */
 import { curveOfStroke } from '../document/curves.ts';
 import { type Brush, type Document, isSurface, readingOf, type SurfacePart } from '../document/document.ts';

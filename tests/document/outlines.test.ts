@@ -1,19 +1,22 @@
 /** What is drawn over parts of closed sections: they enclose what the line goes round an odd number of times, and nothing backwards. */
 import fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
+import { buildForm } from '../../src/document/build.ts';
 import { curveOfStroke } from '../../src/document/curves.ts';
 import { DEFAULT_BRUSH } from '../../src/document/document.ts';
 import { outlinesOf } from '../../src/document/outlines.ts';
-import type { Section } from '../../src/document/surfacePart.ts';
-import { distance2 } from '../../src/math/tuple.ts';
-import type { Vec2 } from '../../src/math/vec.ts';
+import { PLAIN, ROUND, type Section } from '../../src/document/surfacePart.ts';
+import { cross3, distance2, dot3, length3, sub3 } from '../../src/math/tuple.ts';
+import type { Vec2, Vec3 } from '../../src/math/vec.ts';
+import { eachTriangle } from '../../src/mesh/measure.ts';
+import type { Mesh } from '../../src/mesh/mesh.ts';
 import type { Curve } from '../../src/stroke/curve.ts';
 import type { Stroke } from '../../src/stroke/stroke.ts';
 import { round } from '../../src/surface/joined.ts';
-import type { Outline } from '../../src/surface/outline.ts';
+import { type Outline, outlineOf } from '../../src/surface/outline.ts';
 import { redrawn } from '../../src/surface/oversketch.ts';
 import { selfCrossings } from '../../src/surface/selfCrossings.ts';
-import { expectOdd, grid, polygonOf } from '../surface/winding.ts';
+import { expectOdd, grid, polygonOf, windingOf } from '../surface/winding.ts';
 import { PLANE, strokeAlong } from './strokes.ts';
 
 const SIDES = [-20, 20].map((x) => strokeAlong((t) => [x, 40 - 80 * t]));
@@ -143,3 +146,52 @@ test('random lines over a circle, one or two (seed 92)', () => {
     { seed: 92, numRuns: Number(process.env.RUNS ?? 40) },
   );
 });
+
+/** How often a closed mesh goes round p: the solid angle of its triangles (van Oosterom and Strackee 1983). */
+function windingAbout(mesh: Mesh, p: Vec3): number {
+  let sum = 0;
+  eachTriangle(mesh, (i, j, k) => {
+    const [a, b, c] = [sub3(i, p), sub3(j, p), sub3(k, p)];
+    const [x, y, z] = [length3(a), length3(b), length3(c)];
+    const beside = x * y * z + dot3(a, b) * z + dot3(a, c) * y + dot3(b, c) * x;
+    sum += 2 * Math.atan2(dot3(a, cross3(b, c)), beside);
+  });
+  return sum / (4 * Math.PI);
+}
+
+test('a solid whose back crosses its front goes once round what is inside, and not at all round all else', () => {
+  const front = drawn([
+    [-1, 0],
+    [-0.5, 0.8],
+    [0.5, -0.5],
+    [1, 0],
+  ]);
+  const back = drawn([
+    [-1, 0],
+    [-0.4, -0.7],
+    [0.5, 0.7],
+    [1, 0],
+  ]);
+  const section: Section = {
+    ...ROUND,
+    u: 0.5,
+    front: { stroke: front, half: HALF },
+    back: { stroke: back, half: HALF },
+  };
+  const form = { ...PLAIN, strokes: SIDES, sections: [section], back: 'drawn' } as const;
+  const mesh = buildForm('crossSection', form, { ...DEFAULT_BRUSH, caps: true }, { u: 8, v: 128 })!;
+  const around = [...lineOf(front), ...lineOf(back).reverse()];
+  let inside = 0;
+  for (const [x, z] of grid) {
+    if (Math.min(...around.map((q) => distance2(q, [x, z]))) < 0.08) continue;
+    const expected = Math.abs(windingOf(around, [x, z])) % 2;
+    // the sides run down the plane: q_l, to their left, is at x = 20
+    expect(windingAbout(mesh, [-HALF * x, 3, HALF * z])).toBeCloseTo(expected, 6);
+    inside += expected;
+  }
+  expect(inside).toBeGreaterThan(8);
+});
+
+/** An open line, from q_l to q_r. */
+const lineOf = (stroke: Stroke): Vec2[] =>
+  polygonOf(outlineOf(inHalfChords(stroke), { reversed: false, across: false }));

