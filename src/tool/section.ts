@@ -1,10 +1,11 @@
 /**
  * Section: near a construction curve the guide of that place shows, and a stroke from one side to the other is the cross section there
  * (thesis 5.4.1). Its ends snap to the curves. A stroke that ends outside the form is none: the guide stays. A finger, which cannot hover,
- * slides the guide along the curve once it has rested, and draws where it leaves the curve.
+ * slides the guide along the curve once it has rested, and draws where it goes across. What counts is the way it goes, not how far it is from
+ * the curve: of a thin form every place is near both sides.
  */
 import { distance2 } from '../math/tuple.ts';
-import { acrossOf, endsOf, type Guide, guideAt, isWithin, turned } from './across.ts';
+import { acrossOf, endsOf, type Guide, guideAt, isWithin, progressOf, REACH, turned } from './across.ts';
 import { type Crossing, isPastMiddle, marksOf, plan, previewOf } from './crossing.ts';
 import { guideMarks } from './guideMarks.ts';
 import { previewed } from './previewed.ts';
@@ -52,11 +53,13 @@ function begun(pen: Pen, bench: Bench, shown: Guide | null): State | undefined {
   }
   const stays = shown?.across.pair === across.pair && isWithin(across, pen, bench.viewport);
   const guide = guideAt(across, pen, bench.viewport) ?? (stays ? turned(shown, pen, bench.viewport) : null);
-  if (!guide) bench.notify('off-sides');
+  if (!guide) bench.notify(guideAt(across, pen, bench.viewport, 0) ? 'too-narrow' : 'off-sides');
   return guide ? drawing({ ...traceFrom(pen, bench.viewport.view), guide }, bench) : sectioning;
 }
 
-function drawing(crossing: Crossing, bench: Bench): State {
+/** `rested`: the same from where the finger rested; a round section begins along the side, and is that one if it comes back to its guide. */
+function drawing(turnedOff: Crossing, bench: Bench, rested: Crossing | null = null): State {
+  const crossing = rested && isMeant(rested, turnedOff, bench) ? rested : turnedOff;
   const { guide, pens } = crossing;
   const isShown = isPastMiddle(crossing, bench);
   return {
@@ -67,12 +70,15 @@ function drawing(crossing: Crossing, bench: Bench): State {
     ...(isUnfinished(guide) && !isShown && { faint: true as const }),
     preview: previewed((now) => previewOf(crossing, now)),
     move(more, now) {
-      const from = crossing.reach;
-      const next = traced(crossing, more);
+      const from = turnedOff.reach;
+      const next = traced(turnedOff, more);
       const isDecided = from < LEAST_LENGTH && next.reach >= LEAST_LENGTH;
-      return isDecided && slides(next, now)
-        ? slid(guide, next.pens.slice(0, 1), next.pens.slice(1), now)
-        : drawing(next, now);
+      return !rested && isDecided && slides(next, now)
+        ? slid(guide, next.pens.slice(0, 1), next.pens.slice(1), now, {
+            ...traceFrom(next.pens[0]!, next.view),
+            guide,
+          })
+        : drawing(next, now, rested && traced(rested, more));
     },
     up(now) {
       const commands = plan(crossing, now);
@@ -84,67 +90,112 @@ function drawing(crossing: Crossing, bench: Bench): State {
   };
 }
 
+/** The one whose other end is nearer. */
+function isMeant(rested: Crossing, turnedOff: Crossing, { viewport }: Bench): boolean {
+  const last = rested.pens.at(-1)!;
+  const [a, b] = [rested, turnedOff].map(({ guide }) => {
+    const end = endsOf(guide, viewport)[guide.near === 'left' ? 1 : 0];
+    return end ? distance2(end, [last.x, last.y]) : Infinity;
+  });
+  return a! < b!;
+}
+
 /** ms that a finger rests before what it does next slides the guide, and px that it may tremble meanwhile */
 const RESTS = { time: 300, pixels: 6 } as const;
 
-/** of the way: what goes so much along the curve, to 25°, slides */
-const ALONG_CURVE = 0.9;
+/** of the way: what goes so little across, to 25°, slides */
+const ALONG_CURVE = 0.42;
 
 /** Where it set out, for good: at once a finger draws, since round sections begin along the curve, too. */
 function slides({ guide, pens }: Crossing, { viewport }: Bench): boolean {
   const first = pens[0]!;
-  const last = pens.at(-1)!;
-  const wayTo = ({ x, y }: Pen) => distance2([first.x, first.y], [x, y]);
-  const left = pens.find((pen) => wayTo(pen) > RESTS.pixels)!;
+  const left = pens.find((pen) => wayOf(first, pen) > RESTS.pixels)!;
   if (first.pointer !== 'touch' || left.time - first.time < RESTS.time) return false;
+  const last = pens.at(-1)!;
   const there = guideAt(guide.across, last, viewport);
-  if (!there || (there.near !== guide.near && !guide.across.pair.isTube)) return false;
-  return wayOnCurve(guide, there, viewport) >= ALONG_CURVE * wayTo(last);
+  return (
+    there !== null && wayAcross([guide, first], [there, last], viewport) <= ALONG_CURVE * wayOf(first, last)
+  );
 }
-
-/** `trail`: since it was last moved along; what is drawn begins there. */
-function slid(guide: Guide, trail: readonly Pen[], more: readonly Pen[], bench: Bench): State {
-  const { viewport } = bench;
-  let [now, since] = [guide, trail];
-  for (const [i, pen] of more.entries()) {
-    const next = guideAt(now.across, pen, viewport);
-    if (!next || (next.near !== now.near && !trembles(now, since[0]!, pen))) {
-      const start = { ...traceFrom(since[0]!, viewport.view), guide: now };
-      return drawing(traced(start, [...since.slice(1), ...more.slice(i)]), bench);
-    }
-    const along = isAlong(since[0]!, next, viewport);
-    since = along ? [pen] : [...since, pen];
-    now = along ? next : { ...next, near: now.near };
-  }
-  return sliding(now, since, bench);
-}
-
-/** The sides of a tube are so near to each other that a finger on it is now nearer to one, now to the other. */
-const trembles = ({ across }: Guide, from: Pen, { x, y }: Pen): boolean =>
-  across.pair.isTube === true && distance2([from.x, from.y], [x, y]) < LEAST_LENGTH;
 
 /** px on the curve from where the trail begins that count as moved along */
 const ALONG = 4;
 
-function isAlong(from: Pen, to: Guide, viewport: Bench['viewport']): boolean {
-  const start = guideAt(to.across, from, viewport);
-  return !start || wayOnCurve(start, to, viewport) > ALONG;
+/** `trail`: since it was last moved along; what is drawn begins there. `rested`: since it rested, while it can be a round section from there. */
+function slid(
+  guide: Guide,
+  trail: readonly Pen[],
+  more: readonly Pen[],
+  bench: Bench,
+  rested: Crossing | null,
+): State {
+  const { viewport } = bench;
+  let [shown, from, since, round] = [guide, startOf(guide, trail, viewport), trail, rested];
+  for (const [i, pen] of more.entries()) {
+    const next = guideAt(from.across, pen, viewport);
+    const way = wayOf(since[0]!, pen);
+    const across = next ? wayAcross([from, since[0]!], [next, pen], viewport) : Infinity;
+    const along = Math.sqrt(Math.max(way * way - across * across, 0));
+    if (
+      !next ||
+      (way >= LEAST_LENGTH && across > along) ||
+      (round && isHalfway(round, next, pen, viewport))
+    ) {
+      const start = { ...traceFrom(since[0]!, viewport.view), guide: from };
+      const rest = more.slice(i);
+      return drawing(traced(start, [...since.slice(1), ...rest]), bench, round && traced(round, rest));
+    }
+    if (along >= across) shown = { ...next, near: from.near };
+    const isAlong = along > ALONG && along >= across;
+    since = isAlong ? [pen] : [...since, pen];
+    if (isAlong) from = shown;
+    round = round && stillRound(traced(round, [pen]), viewport);
+  }
+  return sliding(shown, since, bench, round);
 }
 
-/** px between two places of the curve that the pen is near */
-function wayOnCurve(from: Guide, to: Guide, viewport: Bench['viewport']): number {
-  const k = to.near === 'left' ? 0 : 1;
-  const [p, q] = [endsOf(from, viewport)[k], endsOf(to, viewport)[k]];
-  return p && q ? distance2(p, q) : Infinity;
+const startOf = (guide: Guide, [first]: readonly Pen[], viewport: Bench['viewport']): Guide => ({
+  ...(guideAt(guide.across, first!, viewport) ?? guide),
+  near: guide.near,
+});
+
+/** of the chord: what goes further along is no round section; of forms that are wider than so many px a finger leaves the side itself */
+const ROUND = { share: 1.5, widest: 4 * REACH } as const;
+
+function stillRound(rested: Crossing, viewport: Bench['viewport']): Crossing | null {
+  const chord = chordOf(rested.guide, viewport);
+  return chord <= ROUND.widest && rested.reach <= ROUND.share * chord ? rested : null;
 }
 
-const sliding = (guide: Guide, trail: readonly Pen[], bench: Bench): State => ({
+/** Across as a whole, however much it goes along: the finger is on its way to the other side. */
+function isHalfway({ guide, pens }: Crossing, there: Guide, pen: Pen, viewport: Bench['viewport']): boolean {
+  const least = Math.max(LEAST_LENGTH, 0.5 * chordOf(guide, viewport));
+  return wayAcross([guide, pens[0]!], [there, pen], viewport) >= least;
+}
+
+const wayOf = (from: Pen, to: Pen): number => distance2([from.x, from.y], [to.x, to.y]);
+
+type Place = readonly [Guide, Pen];
+
+/** px that the pen came nearer to one side, or to the other: each measured on the chord of its place, from the same side */
+function wayAcross([from, first]: Place, [to, last]: Place, viewport: Bench['viewport']): number {
+  const offset = (guide: Guide, pen: Pen) =>
+    progressOf({ ...guide, near: from.near }, pen, viewport) * chordOf(guide, viewport);
+  return Math.abs(offset(to, last) - offset(from, first));
+}
+
+function chordOf(guide: Guide, viewport: Bench['viewport']): number {
+  const [a, b] = endsOf(guide, viewport);
+  return a && b ? distance2(a, b) : 0;
+}
+
+const sliding = (guide: Guide, trail: readonly Pen[], bench: Bench, rested: Crossing | null): State => ({
   name: 'section.sliding',
   still: true,
   guide: placeOf(guide),
   marks: guideMarks(guide, bench.viewport),
   ...(isUnfinished(guide) && { faint: true as const }),
-  move: (more, now) => slid(guide, trail, more, now),
+  move: (more, now) => slid(guide, trail, more, now, rested),
   up: (now) => guided(guide, now),
   cancel: () => guided(guide, bench),
 });

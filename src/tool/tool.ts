@@ -34,6 +34,7 @@ export type Notice =
   | 'selected'
   | 'no-sides'
   | 'off-sides'
+  | 'too-narrow'
   | 'bent'
   | 'bend'
   | 'bend-what'

@@ -451,6 +451,18 @@ describe('across a tube', () => {
     expect(hand.document.parts.map(({ kind }) => kind)).toEqual(['crossSection']);
   });
 
+  it('that is narrower in the picture than 12 px says to zoom in, also on what was drawn; beside it, where to begin', () => {
+    take();
+    hand.view = { ...hand.view, height: 1200 };
+    for (const x of [382, 383, 440]) {
+      hand.hover(x, 300);
+      expect(hand.state.marks).toBeUndefined();
+      hand.down(x, 300);
+      expect(hand.state.name).toBe('section.idle');
+    }
+    expect(hand.notices).toEqual(['too-narrow', 'too-narrow', 'off-sides']);
+  });
+
   it('with Draw the second stroke is the other side, as ever', () => {
     hand.state = idle;
     hand.draw(OVER);
@@ -555,5 +567,61 @@ describe('a finger', () => {
     go([271, 400], [330, 402], 600);
     hand.up();
     expect(sections().map(({ u }) => Math.round(100 * u))).toEqual([75]);
+  });
+
+  describe('on a thin form', () => {
+    /** 43 px wide, or two sides 30 px apart */
+    const tube = () => {
+      hand.commit([{ type: 'drop' }, { type: 'setBrush', change: { radius: 43 / 6 } }]);
+      hand.state = idle;
+      hand.draw(LEFT);
+      take();
+    };
+    const pair = () => {
+      hand.commit([{ type: 'drop' }]);
+      hand.state = idle;
+      hand.draw(LEFT.map(([x, y]) => [x - 15, y] as const));
+      hand.draw(LEFT.map(([x, y]) => [x + 15, y] as const));
+      take();
+    };
+    const arc = (from: number, to: number, depth: number) => (t: number) =>
+      [from + t * (to - from), 200 + depth * Math.sin(Math.PI * t)] as const;
+    const along = (way: (t: number) => Point, since: number) => {
+      for (let i = 1; i <= 20; i++) {
+        const [x, y] = way(i / 20);
+        hand.state = hand.state.move!([finger(x, y, since + 8 * i)], hand)!;
+      }
+    };
+    const forms = [
+      ['a tube', tube, 279, 321],
+      ['two sides', pair, 286, 314],
+    ] as const;
+
+    for (const [name, make, left, right] of forms)
+      for (const [from, to] of [
+        [left, right],
+        [right, left],
+      ] as const)
+        for (const share of [0, 0.3, 0.5, 0.9])
+          it(`a finger that rested draws across ${name} from ${from} to ${to}, ${share} of the width deep`, () => {
+            make();
+            touch(from, 200);
+            along(arc(from, to, share * (right - left)), 500);
+            hand.up();
+            expect(sections().map(({ u }) => Math.round(100 * u))).toEqual([25]);
+            const [first] = sections()[0]!.front!.stroke.samples;
+            expect(Math.abs(400 + 3 * first!.x - from)).toBeLessThan(4);
+          });
+
+    for (const [name, make, left, right] of forms)
+      it(`${name}: slides along, trembling, and draws across where it got to`, () => {
+        make();
+        touch(left, 200);
+        along((t) => [left + 3 * Math.sin(40 * t), 200 + 200 * t], 500);
+        expect(hand.state.name).toBe('section.sliding');
+        go([left, 400], [right, 404], 900);
+        hand.up();
+        expect(sections().map(({ u }) => Math.round(100 * u))).toEqual([75]);
+      });
   });
 });

@@ -15,6 +15,7 @@ export const SECTION_WORDS = {
     'no-sides': 'Draw a tube or two sides first, then across',
     'edge-on': 'The form’s drawing plane is seen from its edge.',
     'off-sides': 'Start at one side of the form',
+    'too-narrow': 'Zoom in: the form is too narrow here to draw across',
     bent: 'This form is bent: recreate it to draw across its strokes',
   },
   looks: [
