@@ -1,7 +1,7 @@
 /** Sections, backs, bends and strokes in hand: what commands make of them, and what is derived. */
 import { describe, expect, it } from 'vitest';
 import { buildForm, draftSolids, shapeOf, solids } from '../../src/document/build.ts';
-import { apply, type Command } from '../../src/document/command/index.ts';
+import { apply, type Command, describe as sayCommand } from '../../src/document/command/index.ts';
 import {
   DEFAULT_BRUSH,
   type Document,
@@ -588,6 +588,18 @@ function expectSamePlaces(found: readonly Vec3[], wanted: readonly Vec3[], withi
   for (let i = 0; i < found.length; i += 97) expect(away(found[i]!, wanted)).toBeLessThan(within);
   for (let i = 0; i < wanted.length; i += 97) expect(away(wanted[i]!, found)).toBeLessThan(within);
 }
+
+it('says which section was redrawn: the one there is, wherever it was drawn', () => {
+  const once = after([
+    { type: 'addStroke', stroke: line(-10) },
+    { type: 'addStroke', stroke: line(10) },
+    { type: 'redrawSection', u: 0.61, drawn: bump },
+  ]);
+  const [first] = once.draft!.sections!;
+  expect(sayCommand(once, { type: 'redrawSection', u: 0.55, drawn: bump })).toBe(
+    `section at ${Math.round(100 * first!.u)} % redrawn`,
+  );
+});
 
 describe('sections of a ring', () => {
   const ring = strokeAlong((t) => [40 * Math.sin(2 * Math.PI * t), 40 * Math.cos(2 * Math.PI * t)], {

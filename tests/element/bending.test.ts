@@ -186,10 +186,13 @@ test('a hand that turned the camera on its way says where home is', () => {
   expect(hand.view.rotation).toEqual(turned.rotation);
 });
 
-test.each(['bend', 'redraw'] as const)('another tool taken up before anything was drawn: %s is put away', (tool) => {
-  const hand = session();
-  if (tool === 'bend') startBend(hand);
-  else startRedraw(hand);
-  hand.setTool('select');
-  expect(hand.said).toBe(tool === 'bend' ? 'Bend put away' : 'Redraw put away');
-});
+test.each(['bend', 'redraw'] as const)(
+  'another tool taken up before anything was drawn: %s is put away',
+  (tool) => {
+    const hand = session();
+    if (tool === 'bend') startBend(hand);
+    else startRedraw(hand);
+    hand.setTool('select');
+    expect(hand.said).toBe(tool === 'bend' ? 'Bend put away' : 'Redraw put away');
+  },
+);

@@ -29,6 +29,20 @@ export interface Whose {
 /** What becomes of a form that is read as `kind`; null, or the same form: nothing. */
 export type Change = (form: SurfaceForm, kind: Reading) => SurfaceForm | null;
 
+/** The form that is meant, and what it is read as; null: there is none. */
+export function formMeant(
+  document: Document,
+  { part }: Whose,
+): { readonly form: SurfaceForm; readonly kind: Reading } | null {
+  const { draft, parts } = document;
+  if (part !== undefined) {
+    const found = parts.filter(isSurface).find(({ id }) => id === part);
+    return found ? { form: found, kind: found.kind } : null;
+  }
+  const kind = readingOf(document);
+  return draft && kind ? { form: formOfDraft(draft), kind } : null;
+}
+
 /** Whether it does, of each form by itself. */
 export type GoesOn = boolean | ((form: SurfaceForm, kind: Reading) => boolean);
 

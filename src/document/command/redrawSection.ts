@@ -10,7 +10,7 @@ import {
   sectionsInForce,
   withSection,
 } from '../surfacePart.ts';
-import { changeForm, type Whose } from './changeForm.ts';
+import { changeForm, formMeant, type Whose } from './changeForm.ts';
 import type { CommandKind } from './index.ts';
 
 export interface Data extends Whose {
@@ -36,26 +36,41 @@ export const redrawSection: CommandKind<'redrawSection', Data> = {
       document,
       whose,
       (form, kind) => {
-        const stays = !local && isOneOfSeveral(form, kind);
-        const whole = stays ? form : roundIn(form, kind, u);
-        const sections = local ? withLocal(whole.sections, u, isRing(form)) : whole.sections;
-        const at = stays
-          ? sections.indexOf(sectionsInForce(SECTION, sections)[0]!)
-          : nearestSection(sections, u, isRing(form));
-        const redrawn = sections.map((section, i) =>
+        const { whole, at } = meant(form, kind, u, local);
+        const sections = whole.sections.map((section, i) =>
           i === at ? { ...section, redraws: [...section.redraws, drawn] } : section,
         );
-        return { ...whole, sections: redrawn };
+        return { ...whole, sections };
       },
       (form, kind) => local || !isOneOfSeveral(form, kind),
     ),
-  describe: (_document, { u }) => `section at ${Math.round(100 * u)} % redrawn`,
+  describe(document, { u, local = false, ...whose }) {
+    const found = formMeant(document, whose);
+    const redrawn = found && meant(found.form, found.kind, u, local);
+    const at = redrawn?.whole.sections[redrawn.at]?.u ?? u;
+    return `section at ${Math.round(100 * at)} % redrawn`;
+  },
 };
 
 const SECTION = 'crossSection';
 
 const isOneOfSeveral = ({ sections }: SurfaceForm, kind: Reading): boolean =>
   kind === SECTION && sections.length > 1;
+
+/** The section that is drawn over, which may lie elsewhere than at u, and the form with it. */
+function meant(form: SurfaceForm, kind: Reading, u: number, local: boolean): Meant {
+  if (!local && isOneOfSeveral(form, kind))
+    return { whole: form, at: form.sections.indexOf(sectionsInForce(SECTION, form.sections)[0]!) };
+  const whole = roundIn(form, kind, u);
+  const sections = local ? withLocal(whole.sections, u, isRing(form)) : whole.sections;
+  return { whole: { ...whole, sections }, at: nearestSection(sections, u, isRing(form)) };
+}
+
+interface Meant {
+  readonly whole: SurfaceForm;
+  /** index */
+  readonly at: number;
+}
 
 /** Tubes and round forms have a section that is closed all round. */
 function roundIn(form: SurfaceForm, kind: Reading, u: number): SurfaceForm {
