@@ -61,7 +61,7 @@ export function chipSize(document: Document, { width }: Size, backs = false): Ch
   const joins = joinChoices(document).length > 0 || hasStrokesRow(document);
   const words = backs || width >= WORDY;
   return {
-    width: (forms > 0 ? 368 : 352) + forms * (words ? 90 : 46),
+    width: (forms > 0 ? 368 : 352) + forms * (words ? 90 : 46) + (document.draft?.recreates ? 48 : 0),
     narrow: forms > 0 || joins ? 304 : 190,
     height: joins ? 104 : 52,
     ...(document.draft?.recreates !== undefined && { beside: NUMBERED }),
@@ -87,7 +87,7 @@ export function chip(session: Session, actions: Actions): TemplateResult | typeo
     run();
     actions.dismiss();
   };
-  return html`<div class="chip card chrome ${narrow ? 'narrow' : ''}" part="chip" role="group" aria-label=${previewWords(document)} style="left:${x}px;top:${y}px">
+  return html`<div class="chip card chrome ${narrow ? 'narrow' : ''}" part="chip" role="group" aria-label=${previewWords(document)} style="--x:${x}px;left:${x}px;top:${y}px">
     <div class="main">
     ${iconButton(null, 'Colour', () => actions.toggle('palette'), {
       expanded: actions.open === 'palette',

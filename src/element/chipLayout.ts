@@ -48,7 +48,11 @@ export const chipLayout = css`
   }
   @container (max-width: 359px) {
     .meter button { padding: 0 0.5rem; gap: 0.375rem; }
-    .chip .what { padding-right: 0; }
+    /* its words wrap, not what is done with it */
+    .chip .what, .chip.narrow .what { flex: 1 1 0; min-width: 0; padding-right: 0; white-space: normal; }
+    .chip .what small { line-height: 0.9375rem; }
+    .chip:is(:has(.forms), :has(.joins)) ~ .view { bottom: calc(13.75rem + env(safe-area-inset-bottom, 0px)); }
+    .chip:has(.forms):has(.joins) ~ .view { bottom: calc(17rem + env(safe-area-inset-bottom, 0px)); }
     .chip .main > .text { padding: 0 0.75rem; }
     .chip .backs .b, .chip.narrow .backs .b { font-size: 0.875rem; white-space: nowrap; gap: 0.25rem; }
   }

@@ -114,7 +114,7 @@ export const layout = css`
   .meter .tick .icon { width: 0.6875rem; height: 0.6875rem; stroke-width: 3.2; }
 
   /* keep chip */
-  .chip { position: absolute; display: flex; align-items: center; gap: 0.25rem; padding: 0.25rem; border-radius: 1.125rem; box-shadow: var(--e2); transform: translateX(-50%); z-index: 1; }
+  .chip { position: absolute; display: flex; align-items: center; gap: 0.25rem; padding: 0.25rem; border-radius: 1.125rem; box-shadow: var(--e2); transform: translateX(max(5.25rem - var(--x), min(-50%, 100cqw - 1rem - var(--x) - 100%))); z-index: 1; }
   .chip .what { padding: 0 0.875rem 0 0.25rem; white-space: nowrap; }
   .chip .what b { display: block; font-weight: 600; line-height: 1.1875rem; }
   .chip .what small { display: block; font-size: 0.75rem; line-height: 1rem; color: var(--ink-2); }
@@ -212,6 +212,10 @@ export const layout = css`
   @container (max-width: 359px) {
     .top { gap: 0.25rem; }
     .meter.steps button { padding: 0 0.375rem; gap: 0.125rem; min-width: 2.75rem; justify-content: center; }
+    .meter.steps button[aria-current] { flex: none; }
+    .rail .b, .rail.named .b { min-width: 2.75rem; padding: 0; }
+    .rail .upright { min-width: 3rem; }
+    .rail .b.toggle .name { width: min-content; line-height: 0.875rem; text-align: center; white-space: normal; }
     /* the colour and the radius take their room */
     .rail:not(.selecting) .b:is([aria-label='Redraw'], [aria-label='Bend']) { display: none; }
   }

@@ -5,6 +5,7 @@ import {
   type Document,
   isImplicit,
   isSolid,
+  isSurface,
   type Part,
   type SolidPart,
   strokesOf,
@@ -102,11 +103,11 @@ const groupRows = (part: SolidPart, component: Component, level: number, parent:
     open: null,
   }));
 
-/** "2 strokes", "12 skels" */
+/** "2 strokes", "12 skels"; bends are none of the strokes it is made of */
 export function madeOf(part: Part): string {
   return isImplicit(part)
     ? PART_WORDS.skels(countsOfPart(part).skels)
-    : PART_WORDS.strokes(strokesOf(part).length);
+    : PART_WORDS.strokes(strokesOf(isSurface(part) ? { ...part, bends: [] } : part).length);
 }
 
 /** "Soft · 12 skels", "Ring · 6 mm", "3 forms · 60 skels" */

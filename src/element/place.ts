@@ -33,6 +33,8 @@ const CHIP = {
   side: 84,
   top: 76,
   bottom: 92,
+  /** the view ball's upper end over that of the meter */
+  ball: 20,
 } as const;
 
 /** px of a chip; `narrow`: its width with icons only */
@@ -97,8 +99,17 @@ export function chipPlace(box: Rect, size: Size, chip: ChipSize = CHIP): Place {
     const left = box.left - beside - half;
     if (left - half >= side) return { x: left, y, narrow };
   }
-  // The form fills the picture: over its lower end, where the meter is anyway.
-  return { x: middle, y: lowest, narrow: false };
+  return partlyBeside(box, size, chip) ?? { x: middle, y: lowest, narrow: false };
+}
+
+/** At its lower end, over less than a quarter of its width; null: it fills the picture, and the chip lies where the meter is anyway. */
+function partlyBeside(box: Rect, size: Size, { narrow, narrowHeight }: ChipSize): Place | null {
+  const { side, bottom, ball } = CHIP;
+  const y = size.height - bottom - ball - narrowHeight;
+  const left = { x: side + narrow / 2, over: side + narrow - box.left };
+  const right = { x: size.width - 16 - narrow / 2, over: box.right - (size.width - 16 - narrow) };
+  const { x, over } = left.over <= right.over ? left : right;
+  return over < (box.right - box.left) / 4 ? { x, y, narrow: true } : null;
 }
 
 const clamp = (value: number, low: number, high: number) =>

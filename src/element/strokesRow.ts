@@ -12,6 +12,7 @@ import {
 import type { SurfaceKind } from '../surface/index.ts';
 import { icon } from './icons.ts';
 import type { Session } from './session.ts';
+import { lightStroke } from './strokeLight.ts';
 import { EDIT_WORDS, SURFACE_WORDS } from './words.ts';
 
 export interface Removal {
@@ -89,7 +90,10 @@ export function strokesRow(session: Session): TemplateResult | typeof nothing {
       const place = u === null ? '' : ` ${SURFACE_WORDS.at(Math.round(100 * u))}`;
       const words = EDIT_WORDS.removeStroke(number, what) + place;
       const title = idle.includes(number) ? EDIT_WORDS.overNothing([number]) : words;
+      const light = () => lightStroke(session, number);
+      const out = () => lightStroke(session, null);
       return html`<button class="b" aria-label=${words} title=${title}
+        @pointerenter=${light} @pointerleave=${out} @focus=${light} @blur=${out}
         @click=${() => removeStroke(session, command)}>${number}${icon('x', 20)}</button>`;
     })}
   </div>`;

@@ -15,6 +15,7 @@ import type { Stroke } from '../stroke/stroke.ts';
 import type { Band, Pen, Wet } from '../tool/tool.ts';
 import { drawMarks } from './marks.ts';
 import type { Session } from './session.ts';
+import { litStroke } from './strokeLight.ts';
 import { surfaceMarks } from './surfaceMarks.ts';
 
 export interface InkColours {
@@ -51,12 +52,14 @@ export function drawInk(
   const lines = (draft?.strokes ?? []).map((stroke) => dried(stroke, brush, session));
   if (lines.length === 2 && readingOf(session.document) === 'rotational')
     drawAxis(context, lines[0]!, lines[1]!, colours);
-  for (const line of lines) drawLine(context, line, colours.ink);
+  const lit = litStroke(session);
+  const colour = (i: number) => (i + 1 === lit ? colours.pencil : colours.ink);
+  for (const [i, line] of lines.entries()) drawLine(context, line, colour(i));
   const across = draftSections(session);
-  for (const { line, isBehind } of across) {
+  for (const [i, { line, isBehind }] of across.entries()) {
     // what lies behind is drawn behind
     context.globalAlpha = isBehind ? 0.45 : 1;
-    drawLine(context, line, colours.ink);
+    drawLine(context, line, colour(lines.length + i));
     context.globalAlpha = 1;
   }
   // outlines are not counted

@@ -1,8 +1,10 @@
 import { describe, expect, it } from 'vitest';
 import { apply } from '../../src/document/command/index.ts';
+import { EMPTY_DOCUMENT } from '../../src/document/document.ts';
 import { dropAt } from '../../src/element/partDrag.ts';
-import { factsOf, isHidden, openedFor, rowsOf, toggled } from '../../src/element/partRows.ts';
+import { factsOf, isHidden, madeOf, openedFor, rowsOf, toggled } from '../../src/element/partRows.ts';
 import { figure, solidOf } from '../document/figure.ts';
+import { strokeAlong } from '../document/strokes.ts';
 
 const document = figure();
 const { part, groups } = solidOf(document);
@@ -104,5 +106,28 @@ describe('a drop', () => {
       ['', 3],
     ] as const)
       expect(drop(part.name, row, at), `a solid of two components on ${row}`).toBeNull();
+  });
+});
+
+describe('what a surface is made of', () => {
+  it('are the strokes that are numbered when they are in hand again: bends are none of them', () => {
+    const side = (x: number) => strokeAlong((t) => [x, 60 * t - 30]);
+    const kept = apply(
+      apply(apply(EMPTY_DOCUMENT, { type: 'addStroke', stroke: side(-20) }), {
+        type: 'addStroke',
+        stroke: side(20),
+      }),
+      { type: 'keep' },
+    );
+    const stroke = strokeAlong((t) => [10 * Math.sin(Math.PI * t), 60 * t - 30]);
+    const bent = apply(kept, {
+      type: 'bend',
+      id: 'part-1',
+      bend: { stroke, keepsLength: true, isOff: false },
+    });
+    expect(bent.parts[0]).toMatchObject({ bends: [{}] });
+    expect(madeOf(bent.parts[0]!)).toBe('2 strokes');
+    const { draft } = apply(bent, { type: 'recreate', id: 'part-1' });
+    expect(draft!.strokes).toHaveLength(2);
   });
 });
