@@ -140,3 +140,31 @@ for (const pointer of ['pen', 'mouse'] as const)
     await page.getByRole('button', { name: 'Undo' }).click();
     expect((await facts(page)).kind).toBe('tube');
   });
+
+test.describe('on the smallest phone', () => {
+  test.use({ viewport: { width: 320, height: 640 }, hasTouch: true });
+
+  test('drop and keep are in one row, the view ball is clear, nothing is cut off', async ({ page }) => {
+    await open(page);
+    // a pen would be greeted by a notice
+    const pen = await PenDriver.on(page, 'mouse');
+    await pen.draw(line([70, 260], [230, 260]));
+    const box = async (selector: string) => (await page.locator(selector).boundingBox())!;
+    const finger = async () => {
+      const [rail, toggle] = [await box('.rail'), await box('.rail .toggle')];
+      expect(toggle.x + toggle.width).toBeLessThanOrEqual(rail.x + rail.width);
+    };
+    await finger();
+    await step(page, '3 Section').click();
+    await pen.draw(line([150, 230], [150, 290], [20, 0]));
+    await expect(page.locator('.chip')).toContainText('Tube with a section');
+    await finger();
+    const drop = await box('.chip [aria-label="Drop"]');
+    const keep = await box('.chip .primary');
+    expect(Math.abs(drop.y + drop.height / 2 - keep.y - keep.height / 2)).toBeLessThan(1);
+    const [ball, chip] = [await box('.view'), await box('.chip')];
+    expect(ball.y + ball.height).toBeLessThanOrEqual(chip.y);
+    const [pill, word] = [await box('.meter [aria-current]'), await box('.meter [aria-current] .long')];
+    expect(word.x + word.width).toBeLessThanOrEqual(pill.x + pill.width - 6);
+  });
+});
