@@ -84,6 +84,8 @@ test('steps back and undo lose no stroke', async ({ page }) => {
 });
 
 test('a finger sees the guide where it touches; what ends outside is nothing', async ({ browser }) => {
+  // many touches, each waited for: a busy machine is no failure
+  test.setTimeout(180_000);
   const page = await browser.newPage({ hasTouch: true, viewport: { width: 1200, height: 720 } });
   await open(page);
   const session = await page.context().newCDPSession(page);
